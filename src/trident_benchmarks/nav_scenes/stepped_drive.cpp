@@ -4,6 +4,8 @@
 
 #include <ctime>
 
+#include "odometry.h"
+
 namespace trident::benchmarks {
 namespace {
 
@@ -29,7 +31,7 @@ std::optional<nav::NavigatorOutput> SteppedDrive::step() {
   if (scan && is_lidar_on_) stack_.add_scan(*scan);
   if (!stack_.is_control_due(time_s())) return std::nullopt;
   const double begin_s = thread_cpu_s();
-  const WheelOdometry& odometry = robot_.odometry();
+  const Odometry& odometry = robot_.odometry();
   nav::NavigatorOutput output =
       stack_.cycle(time_s(), {odometry.pose(), odometry.twist(), robot_.odometry_time_s()});
   navigation_cpu_s_ += thread_cpu_s() - begin_s;

@@ -64,7 +64,8 @@ def test_the_paths_of_all_planners_are_drawn_on_one_map(
     assert len(capsys.readouterr().out.splitlines()) == len(plan.PLANNERS)
     assert set(json.loads(poses.read_text(encoding="utf-8"))) == set(plan.PLANNERS)
     with Image.open(out) as image:
-        colors = {f"#{r:02x}{g:02x}{b:02x}" for _, (r, g, b) in image.getcolors(1 << 20) or []}
+        found = image.convert("RGB").getcolors(1 << 20) or []
+        colors = {"#%02x%02x%02x" % color for _, color in found}
         assert set(plan.PLANNERS.values()) <= colors
         single = image.width
     with Image.open(layers) as image:

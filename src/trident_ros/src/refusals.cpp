@@ -15,7 +15,13 @@ constexpr double kPublishEveryS = 0.5;  // wall time
 }  // namespace
 
 Refusals::Refusals(ros::NodeHandle& node)
-    : diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10)) {}
+    : diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10)),
+      // Of the last refusal, too, if it came soon after the one before.
+      timer_(node.createWallTimer(ros::WallDuration(kPublishEveryS),
+                                  [this](const ros::WallTimerEvent&) {
+                                    const std::lock_guard<std::mutex> lock(mutex_);
+                                    publish_if_due();
+                                  })) {}
 
 void Refusals::note(const std::string& kind, const std::string& text) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -42,13 +48,15 @@ Refusals::Kind& Refusals::counted(const std::string& kind, const std::string& te
   Kind& known = kinds_[kind];
   known.newest = text;
   ++known.count;
+  has_news_ = true;
   return known;
 }
 
 void Refusals::publish_if_due() {
   const ros::WallTime now = ros::WallTime::now();
-  if ((now - published_at_).toSec() < kPublishEveryS) return;
+  if (!has_news_ || (now - published_at_).toSec() < kPublishEveryS) return;
   published_at_ = now;
+  has_news_ = false;
   publish();
 }
 

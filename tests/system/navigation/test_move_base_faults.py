@@ -216,7 +216,7 @@ def driven(ros: Ros, start_gazebo: Callable[..., Gazebo], folder: Path) -> tuple
     description = xacro.process_file(str(urdf), mappings={"command_timeout": "0.2"}).toxml()
     ros.set_param("/robot_description", description)
     gazebo = start_gazebo(
-        str(Path(package("trident_bringup")) / "worlds/room.world"), real_time_factor=1.0
+        str(Path(package("trident_bringup")) / "worlds/room.world"), paused=False, real_time_factor=1.0
     )
     gazebo.spawn(name, xml=description, at=pose(0.0, 0.0, 0.0), robot_namespace="/")
     ros.launch(["rosrun", "robot_state_publisher", "robot_state_publisher"])

@@ -52,6 +52,7 @@ CostmapNode::CostmapNode(const ros::NodeHandle& node, const CostmapConfig& confi
   note_params(config.params);
   topics_.all = node_.advertise<nav_msgs::OccupancyGrid>("costmap", 1, true);
   topics_.parts = node_.advertise<map_msgs::OccupancyGridUpdate>("costmap_updates", 1);
+  hear_footprints(config.params.footprint_topic, refusals);
   topics_.footprint = node_.advertise<geometry_msgs::PolygonStamped>(
       config.params.published_footprint_topic, 1);
   topics_.voxels = std::make_unique<VoxelTopics>(node_, *costmap_, frame_);
@@ -59,14 +60,14 @@ CostmapNode::CostmapNode(const ros::NodeHandle& node, const CostmapConfig& confi
       [this](const BeamSource& source, const Observation& observation) {
         topics_.voxels->note(source, observation);
       });
-  const std::string topic = node_.resolveName(config.params.footprint_topic);
-  topics_.footprint_input = std::make_unique<FootprintInput>(
-      node_, topic,
-      [this, &refusals](const geometry_msgs::Polygon& polygon) {
-        take_footprint(polygon, refusals);
-      },
-      [topic, &refusals](const std::string& problem) {
-        refusals.note("footprint", "the footprint on " + topic + " is not used: " + problem);
+}
+
+/// Before the footprint is advertised: with upstream's names both have one topic and are of two
+/// types, and roscpp refuses a subscription to what the process itself publishes as another type.
+void CostmapNode::hear_footprints(const std::string& topic, ros_utils::Refusals& refusals) {
+  topics_.footprint_input = node_.subscribe<geometry_msgs::Polygon>(
+      topic, 1, [this, &refusals](const geometry_msgs::PolygonConstPtr& polygon) {
+        take_footprint(*polygon, refusals);
       });
 }
 

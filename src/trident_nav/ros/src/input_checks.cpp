@@ -49,13 +49,19 @@ std::string count_problem(const sensor_msgs::LaserScan& scan) {
          number_text(expected) + ", as angle_min, angle_max and angle_increment say";
 }
 
+// For texts: without the digits that a float does not have.
+double rounded(float value) {
+  constexpr double kDigits = 1e6;
+  return std::round(static_cast<double>(value) * kDigits) / kDigits;
+}
+
 // Of a scan in which no beam says anything: a lidar that is covered or broken.
 std::string blindness_problem(const sensor_msgs::LaserScan& scan) {
   const bool sees = std::any_of(scan.ranges.begin(), scan.ranges.end(),
                                 [&](float range) { return range >= scan.range_min; });
   if (sees) return "";
   return "all " + std::to_string(scan.ranges.size()) +
-         " ranges are NaN or below range_min = " + number_text(scan.range_min) +
+         " ranges are NaN or below range_min = " + number_text(rounded(scan.range_min)) +
          " m, legal: at least one that is not";
 }
 

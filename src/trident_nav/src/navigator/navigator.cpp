@@ -61,6 +61,12 @@ NavigatorInput at_present(NavigatorInput input) {
   return input;
 }
 
+// Of two velocities the one nearer to 0; 0 where they have different signs.
+double slower(double a, double b) {
+  if (a * b <= 0.0) return 0.0;
+  return std::fabs(a) < std::fabs(b) ? a : b;
+}
+
 }  // namespace
 
 Navigator::Navigator(NavigatorParts parts, NavigatorWorld& world, Controller& controller)
@@ -132,6 +138,11 @@ bool Navigator::waits_for_sources(const NavigatorInput& input, NavigatorOutput* 
   for (double* since : {&since_.plan_s, &since_.command_s, &since_.motion_s, &since_.progress_s,
                         &since_.failing_s})
     *since += waited_s;
+  // Odometry may be what is silent: what it said last does not change however long this brakes.
+  const Twist2& measured = input.state.twist;
+  const Twist2 from{slower(measured.vx, sent_.vx), slower(measured.vy, sent_.vy),
+                    slower(measured.wz, sent_.wz)};
+  output->twist = braked(parts_.limits, from, 1.0 / parts_.params.controller_frequency);
   output->waiting = "The robot stands until data come: " + joined_texts(stale) + ".";
   return true;
 }
@@ -140,7 +151,10 @@ NavigatorOutput Navigator::step(const NavigatorInput& given) {
   const NavigatorInput input = at_present(given);
   NavigatorOutput output;
   note_motion(input);
-  if (phase_ == Phase::kIdle) return output;
+  if (phase_ == Phase::kIdle) {
+    sent_ = {};
+    return output;
+  }
   output.status = NavigatorStatus::kActive;
   output.twist = braking(input);
   if (!waits_for_sources(input, &output)) {
@@ -153,6 +167,7 @@ NavigatorOutput Navigator::step(const NavigatorInput& given) {
     }
   }
   since_.step_s = input.now_s;
+  sent_ = output.twist;
   return output;
 }
 

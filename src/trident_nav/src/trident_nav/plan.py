@@ -17,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -266,13 +266,19 @@ class Canvas:
             tip = (pose[0] + 0.5 * math.cos(pose[2]), pose[1] + 0.5 * math.sin(pose[2]))
             self.line(np.array([pose[:2], tip]), color, 2)
 
-    def legend(self, entries: dict[str, str]) -> None:
-        """Texts and their colors, in the upper left corner."""
-        height = 14
-        self.pen.rectangle((0, 0, 380, height * len(entries) + 6), fill=(255, 255, 255, 220))
+    def with_legend(self, entries: dict[str, str]) -> Image.Image:
+        """The picture above texts, each with its color."""
+        line = 14
+        picture = Image.new(
+            "RGB", (self.image.width, self.image.height + line * len(entries) + 6), "white"
+        )
+        picture.paste(self.image, (0, 0))
+        pen = ImageDraw.Draw(picture)
         for i, (text, color) in enumerate(entries.items()):
-            self.pen.rectangle((6, 6 + height * i, 18, 15 + height * i), fill=color)
-            self.pen.text((24, 4 + height * i), text, fill="black")
+            top = self.image.height + 3 + line * i
+            pen.rectangle((6, top + 2, 18, top + 10), fill=color)
+            pen.text((24, top), text, fill="black")
+        return picture
 
 
 def draw_fan(canvas: Canvas, weighed: Weighed) -> None:
@@ -288,6 +294,21 @@ def draw_fan(canvas: Canvas, weighed: Weighed) -> None:
         canvas.line(weighed.trajectories[weighed.selected], "blue", 3)
 
 
+def around(plan: Plan, weighed: Weighed) -> Plan:
+    """The plan on the part of the costmap in which all that was weighed lies, and 0.5 m more."""
+    points = np.vstack([*weighed.trajectories, plan.path[:1, :2]])
+    low = np.floor((points.min(axis=0) - 0.5 - plan.origin_m) / plan.resolution_m).astype(int)
+    high = np.ceil((points.max(axis=0) + 0.5 - plan.origin_m) / plan.resolution_m).astype(int)
+    rows, columns = plan.costs.shape
+    low, high = np.maximum(low, 0), np.minimum(high, (columns, rows))
+    origin = np.asarray(plan.origin_m) + low * plan.resolution_m
+    return replace(
+        plan,
+        costs=plan.costs[rows - high[1] : rows - low[1], low[0] : high[0]],
+        origin_m=(float(origin[0]), float(origin[1])),
+    )
+
+
 def draw(plan: Plan, poses: Sequence[Sequence[float]], scale: int) -> Image.Image:
     """The costmap, the path with the footprint along it, and the start's and the goal's poses.
 
@@ -296,6 +317,9 @@ def draw(plan: Plan, poses: Sequence[Sequence[float]], scale: int) -> Image.Imag
         poses: the start and the goal: x, y [m], yaw [rad].
         scale: pixels per cell.
     """
+    if plan.weighed is not None and plan.weighed.trajectories:
+        plan = around(plan, plan.weighed)
+        scale = max(1, 900 // max(plan.costs.shape))
     canvas = Canvas(plan, scale)
     every = max(1, round(0.3 / plan.resolution_m))
     for pose in plan.path[::every]:
@@ -318,8 +342,7 @@ def draw_all(
         length = f"{plan.length_m():.2f} m" if plan.found else "no path"
         entries[f"{name}: {length}"] = PLANNERS[name]
     canvas.ends(poses)
-    canvas.legend(entries)
-    return canvas.image
+    return canvas.with_legend(entries)
 
 
 def draw_layers(options: argparse.Namespace, planner: str) -> Image.Image:
@@ -327,9 +350,8 @@ def draw_layers(options: argparse.Namespace, planner: str) -> Image.Image:
     panels = []
     for count in range(1, len(_LAYERS) + 1):
         plan = find_plan(options, planner, count)
-        canvas = Canvas(plan, _scale_of(plan))
-        canvas.legend({" + ".join(layer["name"] for layer in _LAYERS[:count]): "black"})
-        panels.append(canvas.image)
+        title = " + ".join(layer["name"] for layer in _LAYERS[:count])
+        panels.append(Canvas(plan, _scale_of(plan)).with_legend({title: "black"}))
     gap = 10
     width = sum(one.width for one in panels) + gap * (len(panels) - 1)
     image = Image.new("RGB", (width, panels[0].height), "white")

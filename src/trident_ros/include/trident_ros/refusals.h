@@ -4,6 +4,7 @@
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <ros/wall_timer.h>
 
 #include <cstdint>
 #include <map>
@@ -38,7 +39,9 @@ class Refusals {
   std::mutex mutex_;
   std::map<std::string, Kind> kinds_;
   ros::WallTime published_at_;
+  bool has_news_ = false;  ///< that are not published
   ros::Publisher diagnostics_;
+  ros::WallTimer timer_;
 };
 
 }  // namespace trident::ros_utils

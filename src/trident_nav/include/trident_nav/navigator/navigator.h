@@ -129,6 +129,7 @@ class Navigator {
     std::size_t count = 0;
   };
   std::vector<TriedPlace> tried_;
+  Twist2 sent_;                    // in the last step
   std::optional<SlowDrive> slow_;  // since the robot was at slow_from_
   Pose2 slow_from_;
   std::string cause_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <geometry_msgs/Polygon.h>
 #include <geometry_msgs/PolygonStamped.h>
 #include <ros/ros.h>
 #include <tf2/buffer_core.h>
@@ -18,7 +19,6 @@
 #include "trident_nav/costmap/costmap.h"
 #include "trident_nav/costmap/costmap_config.h"
 #include "trident_nav_ros/costmap_inputs.h"
-#include "trident_nav_ros/footprint_input.h"
 #include "trident_nav_ros/voxel_topics.h"
 #include "trident_ros/refusals.h"
 
@@ -84,6 +84,7 @@ class CostmapNode {
 
  private:
   void note_params(const CostmapParams& params);
+  void hear_footprints(const std::string& topic, ros_utils::Refusals& refusals);
   void take_footprint(const geometry_msgs::Polygon& polygon, ros_utils::Refusals& refusals);
   void publish(double now_s, const Pose2& robot);
   void publish_all(double now_s);
@@ -102,7 +103,7 @@ class CostmapNode {
   struct Topics {
     ros::Publisher all, parts, footprint;
     std::unique_ptr<VoxelTopics> voxels;
-    std::unique_ptr<FootprintInput> footprint_input;
+    ros::Subscriber footprint_input;
     std::function<void()> on_footprint;
   };
   Topics topics_;
