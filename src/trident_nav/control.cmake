@@ -34,6 +34,7 @@ add_library(trident_nav_control
   src/control/mppi/mppi_optimizer.cpp
   src/control/mppi/noise_table.cpp
   src/control/mppi/obstacle_survey.cpp
+  src/control/mppi/path_centering.cpp
   src/control/mppi/rollout.cpp
   src/control/mppi/vessel_motion.cpp
   src/control/path_tracker.cpp

@@ -34,7 +34,7 @@ _XACRO = """<?xml version="1.0"?>
                mu="1.0" rate_limit="30" torque_limit="5"/>
   <xacro:caster name="caster" x="-0.16" z="-0.04" radius="0.02" mass="0.05"/>
   <xacro:lidar_2d link="laser_link" parent="base_link" x="0" y="0" z="0.1" samples="720"
-                  min_range="0.05" max_range="30" sigma="0.001" rate="20"/>
+                  min_range="0.05" max_range="30" sigma="0.001" resolution="0.001" rate="20"/>
   <xacro:diff_drive separation="0.26" diameter="0.12" torque="5" acceleration="2" rate="50"
                     source="encoder"/>
 </robot>
