@@ -26,24 +26,42 @@ double distance_at(const CostGrid& grid, const Point2& p) {
          v * ((1.0 - u) * at(0, 1) + u * at(1, 1));
 }
 
-// How far to the left a point moves, at most `room_m`.
-double offset_of(const CostGrid& grid, double room_m, const Pose2& pose) {
+struct Sidestep {
+  double offset_m = 0.0;  // to the left
+  double room_m = 0.0;    // distance from obstacles there
+};
+
+// To where a point has `room_m`, or to the middle; by no more than that.
+Sidestep sidestep(const CostGrid& grid, double room_m, const Pose2& pose) {
   const double step_m = 0.5 * grid.geometry.resolution;
-  const auto place = [&](double offset_m) {
-    return Point2{pose.x - std::sin(pose.yaw) * offset_m, pose.y + std::cos(pose.yaw) * offset_m};
+  const auto room_at = [&](double offset_m) {
+    return distance_at(grid, {pose.x - std::sin(pose.yaw) * offset_m,
+                              pose.y + std::cos(pose.yaw) * offset_m});
   };
-  double offset_m = 0.0;
-  double room_here_m = distance_at(grid, place(0.0));
-  const double side = distance_at(grid, place(step_m)) >= distance_at(grid, place(-step_m))
-                          ? step_m
-                          : -step_m;
-  while (room_here_m < room_m && std::fabs(offset_m) < room_m) {
-    const double next_m = distance_at(grid, place(offset_m + side));
-    if (next_m <= room_here_m) break;
-    offset_m += side;
-    room_here_m = next_m;
+  const double side = room_at(step_m) >= room_at(-step_m) ? step_m : -step_m;
+  Sidestep best{0.0, room_at(0.0)};
+  while (best.room_m < room_m && std::fabs(best.offset_m) < room_m) {
+    const double next_m = room_at(best.offset_m + side);
+    if (next_m <= best.room_m) break;
+    best = {best.offset_m + side, next_m};
   }
-  return offset_m;
+  return best;
+}
+
+// Offsets of points that are within `reach` points of a narrow place; 0 for the others.
+std::vector<double> offsets_near_narrow(const std::vector<Sidestep>& steps, double narrow_m,
+                                        std::size_t reach) {
+  std::vector<double> offsets_m(steps.size(), 0.0);
+  std::size_t filled = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i].room_m >= narrow_m) continue;
+    const std::size_t end = std::min(i + reach + 1, steps.size());
+    for (std::size_t k = std::max(filled, i - std::min(i, reach)); k < end; ++k) {
+      offsets_m[k] = steps[k].offset_m;
+    }
+    filled = end;
+  }
+  return offsets_m;
 }
 
 // The mean over as many neighbors on both sides.
@@ -61,18 +79,19 @@ std::vector<double> smoothed(const std::vector<double>& values, std::size_t reac
 
 }  // namespace
 
-void center_path(const CostGrid& grid, double room_m, std::vector<Pose2>* path) {
+void center_path(const CostGrid& grid, double narrow_m, std::vector<Pose2>* path) {
+  constexpr double kLead = 2.0;  // before and behind narrow places, and aside, in `narrow_m`
   if (path->size() < 3 || grid.distance_m == nullptr) return;
-  std::vector<double> offsets_m;
-  offsets_m.reserve(path->size());
-  for (const Pose2& pose : *path) offsets_m.push_back(offset_of(grid, room_m, pose));
-  offsets_m.front() = offsets_m.back() = 0.0;
+  std::vector<Sidestep> steps;
+  steps.reserve(path->size());
+  for (const Pose2& pose : *path) steps.push_back(sidestep(grid, kLead * narrow_m, pose));
   const Pose2& a = (*path)[0];
   const Pose2& b = (*path)[1];
   const double spacing_m = std::max(distance(a.x, a.y, b.x, b.y), 1e-3);
-  // Neighbors on the two sides of a bend must not cross.
-  const auto reach = static_cast<std::size_t>(0.25 * room_m / spacing_m);
-  offsets_m = smoothed(offsets_m, reach);
+  const auto lead = static_cast<std::size_t>(kLead * narrow_m / spacing_m);
+  std::vector<double> offsets_m = offsets_near_narrow(steps, narrow_m, lead);
+  offsets_m.front() = offsets_m.back() = 0.0;
+  offsets_m = smoothed(offsets_m, lead / 6);
   for (std::size_t i = 0; i < path->size(); ++i) {
     Pose2& pose = (*path)[i];
     pose.x -= std::sin(pose.yaw) * offsets_m[i];

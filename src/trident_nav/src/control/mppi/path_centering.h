@@ -9,11 +9,11 @@
 
 namespace trident::nav {
 
-/// Moves the points of a path sideways, away from obstacles, until each has `room_m` of distance
-/// from them or lies in the middle between those on both sides, by no more than `room_m`. A path
-/// that is shortest for a circle leads slantwise through a door that a rectangle fits through only
-/// straight: the middle lines of narrow places are what a rectangle can follow. The first and the
-/// last point stay; near them points move less. `grid` has distances.
-void center_path(const CostGrid& grid, double room_m, std::vector<Pose2>* path);
+/// Moves a path to the middle of narrow places, and for a little before and behind them. Narrow is
+/// where even the middle between the obstacles on both sides has less than `narrow_m` of distance
+/// from them. A path that is shortest for a circle leads slantwise through a door that a rectangle
+/// fits through only straight; a middle line it can follow. Points move sideways by at most twice
+/// `narrow_m`; the first and the last one stay. `grid` has distances.
+void center_path(const CostGrid& grid, double narrow_m, std::vector<Pose2>* path);
 
 }  // namespace trident::nav

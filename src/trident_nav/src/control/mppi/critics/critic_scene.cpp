@@ -15,8 +15,8 @@ namespace {
 // those of a robot that can only leave backwards.
 constexpr double kStuckShare = 0.3;
 
-// Where the path has less room it is moved to the middle of what there is.
-constexpr double kCenteringRadii = 1.25;
+// Of circumscribed radii: where a robot has less room it passes straight or not at all.
+constexpr double kNarrowRadii = 1.05;
 
 int nearest_point(const CriticScene& scene, float x, float y) {
   int nearest = 0;
@@ -55,7 +55,7 @@ CriticScene make_critic_scene(const MppiModel& model, const Situation& situation
   const LocalPath& path = situation.path;
   std::vector<Pose2> poses = path.poses;
   // Headings of its own say that the planner has checked the footprint.
-  if (!path.has_headings) center_path(grid, kCenteringRadii * model.circumscribed_radius, &poses);
+  if (!path.has_headings) center_path(grid, kNarrowRadii * model.circumscribed_radius, &poses);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Pose2& p = poses[i];
     scene.path_x.push_back(static_cast<float>(p.x - scene.origin.x));
