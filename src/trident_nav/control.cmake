@@ -90,6 +90,7 @@ if(CATKIN_ENABLE_TESTING)
     test/control/laws_test.cpp
     test/control/moving_obstacles_test.cpp
     test/control/mppi_test.cpp
+    test/control/path_centering_test.cpp
     test/control/scene.cpp
     test/control/scenes_test.cpp
     test/control/teb_scenes_test.cpp

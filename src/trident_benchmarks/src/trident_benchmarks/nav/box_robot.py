@@ -82,9 +82,7 @@ class BoxRobot(Robot):
             return expand_xacro(file)
 
 
-BOX = BoxRobot(
-    "box", "laser_link", "scan", 0.06, ("wheel_left_joint",), ("wheel_right_joint",)
-)
+BOX = BoxRobot("box", "laser_link", "scan", 0.06, ("wheel_left_joint",), ("wheel_right_joint",))
 
 
 def limits_file(folder: Path) -> Path:
