@@ -34,6 +34,7 @@ add_library(trident_nav_control
   src/control/mppi/mppi_optimizer.cpp
   src/control/mppi/noise_table.cpp
   src/control/mppi/obstacle_survey.cpp
+  src/control/mppi/path_centering.cpp
   src/control/mppi/rollout.cpp
   src/control/mppi/vessel_motion.cpp
   src/control/path_tracker.cpp
@@ -91,6 +92,7 @@ if(CATKIN_ENABLE_TESTING)
     test/control/laws_test.cpp
     test/control/moving_obstacles_test.cpp
     test/control/mppi_test.cpp
+    test/control/path_centering_test.cpp
     test/control/scene.cpp
     test/control/scenes_test.cpp
     test/control/teb_scenes_test.cpp

@@ -60,6 +60,10 @@ int occupied_cells_within(const Footprint& footprint, const CostGrid& grid, cons
   return count;
 }
 
+double guard_padding_m(const Footprint& footprint) {
+  return 0.002 + 0.01 * footprint.circumscribed_radius;
+}
+
 BrakingGuard::BrakingGuard(const MotionLimits& limits, const FootprintChecker& checker,
                            const FootprintChecker& padded_checker, double period_s)
     : limits_(limits), checker_(checker), padded_checker_(padded_checker), period_s_(period_s) {}

@@ -19,11 +19,8 @@ namespace {
 // Of the path, what the robot may advance in a call: as far as this many of its radii.
 constexpr double kAdvanceRadii = 4.0;
 
-// What is kept free around the footprint: what a base's controller and the commands' discrete times
-// make of a trajectory.
-double padding_m(const Footprint& footprint) {
-  return 0.002 + 0.01 * footprint.circumscribed_radius;
-}
+// Points of a path are no nearer to each other, however fine the costmap is: critics count points.
+constexpr double kPathSpacing_m = 0.025;
 
 std::string text(const char* format, double a, double b = 0.0, double c = 0.0) {
   char buffer[200];
@@ -99,7 +96,7 @@ GuardedController::GuardedController(const ControlSetup& setup, std::unique_ptr<
       checker_(checker != nullptr
                    ? std::move(checker)
                    : std::make_shared<FootprintChecker>(setup.footprint, setup.unknown)),
-      padded_checker_(grown_footprint(setup.footprint, padding_m(setup.footprint)), setup.unknown),
+      padded_checker_(grown_footprint(setup.footprint, guard_padding_m(setup.footprint)), setup.unknown),
       law_(std::move(law)),
       guard_(setup_.limits, *checker_, padded_checker_, setup.period_s),
       arrival_(setup.tolerance, setup_.can_turn_on_spot()),
@@ -136,8 +133,8 @@ Proposal GuardedController::turn_to_goal(const RobotState& state, double goal_ya
 
 Proposal GuardedController::propose(const RobotState& state, const Path& path, const CostGrid& grid,
                                     const Tracks& tracks, const TwistWindow& window) {
-  const LocalPath local =
-      tracker_.update(path, state.pose, grid.geometry.resolution, law_->path_length_m());
+  const double spacing_m = std::max(grid.geometry.resolution, kPathSpacing_m);
+  const LocalPath local = tracker_.update(path, state.pose, spacing_m, law_->path_length_m());
   // The law, too, leaves what the guard wants, unless the robot has less.
   const bool has_room = padded_checker_.is_free(grid, state.pose);
   const FootprintChecker& checker = has_room ? padded_checker_ : *checker_;

@@ -8,7 +8,9 @@
 #include "recoveries.h"
 #include "trident_base/angle.h"
 #include "trident_base/config_types.h"
+#include "trident_nav/control/braking_guard.h"
 #include "trident_nav/control/motion.h"
+#include "trident_nav/core/footprint.h"
 
 namespace trident::nav {
 namespace {
@@ -32,7 +34,7 @@ struct RotateParams {
 class Rotate : public Recovery {
  public:
   Rotate(const RecoverySetup& setup, const RotateParams& params)
-      : setup_(setup), params_(params), checker_(setup.footprint) {}
+      : setup_(setup), params_(params), checker_(grown_footprint(setup.footprint, guard_padding_m(setup.footprint))) {}
 
   void start() override {
     targets_.clear();

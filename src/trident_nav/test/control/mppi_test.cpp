@@ -9,6 +9,7 @@
 #include "control/mppi/rollout.h"
 #include "control/scene.h"
 #include "trident_base/yaml_config.h"
+#include "trident_nav/core/footprint.h"
 
 namespace trident::nav::testing {
 namespace {
@@ -38,6 +39,35 @@ TEST(Mppi, TheSeedIsWhatDiffersBetweenRuns) {
   EXPECT_TRUE(are_equal(first, drive(*make_controller("mppi", setup, params), setup, scene)));
   setup.seed = 2;
   EXPECT_FALSE(are_equal(first, drive(*make_controller("mppi", setup, params), setup, scene)));
+}
+
+ControlSetup oblong_robot() {
+  ControlSetup setup;
+  setup.limits = {0.5, -0.25, 0.0, 1.5, 1.0, 1.0, 0.0, 3.0, 0.0};
+  setup.footprint =
+      polygon_footprint({{-0.21, -0.155}, {0.21, -0.155}, {0.21, 0.155}, {-0.21, 0.155}});
+  return setup;
+}
+
+TEST(Mppi, LeavesADeadEndBackwardsThatItHasNoRoomToTurnIn) {
+  const ControlSetup setup = oblong_robot();
+  Scene scene{"narrow dead end", GridWorld(4.0, 3.0, 0.02), {3.2, 1.5, 0.0}, {0.8, 1.2, 3.0}};
+  scene.world.fill({2.0, 0.0, 4.0, 1.29});
+  scene.world.fill({2.0, 1.71, 4.0, 3.0});
+  scene.world.fill({3.6, 0.0, 4.0, 3.0});
+  const Drive result = drive(*make_controller("mppi", setup), setup, scene, 25.0);
+  EXPECT_TRUE(result.is_reached) << "at " << result.track.back().x << ": " << result.last_reason;
+  EXPECT_FALSE(result.has_contact);
+}
+
+TEST(Mppi, PassesADoorThatIsWiderByCentimeters) {
+  const ControlSetup setup = oblong_robot();
+  Scene scene{"narrow door", GridWorld(5.0, 3.0, 0.01), {1.0, 0.8, 1.0}, {4.2, 0.8, 0.0}};
+  scene.world.fill({2.4, 0.0, 2.55, 1.5 - 0.185});
+  scene.world.fill({2.4, 1.5 + 0.185, 2.55, 3.0});
+  const Drive result = drive(*make_controller("mppi", setup), setup, scene, 25.0);
+  EXPECT_TRUE(result.is_reached) << "at " << result.track.back().x << ": " << result.last_reason;
+  EXPECT_FALSE(result.has_contact);
 }
 
 TEST(MppiModel, TheFootprintsCoverContainsEachOfItsPoints) {

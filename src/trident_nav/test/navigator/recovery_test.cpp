@@ -78,6 +78,13 @@ class RecoveryTest : public ::testing::Test {
   bool is_free_ = true;
 };
 
+TEST_F(RecoveryTest, ATurnLeavesTheRoomThatTheGuardKeeps) {
+  block(0.275, 0.225);  // 4 mm beyond the circle that the corners turn on
+  run(*make("rotate_recovery/RotateRecovery"));
+  EXPECT_LT(most_ - least_, 6.0);
+  EXPECT_GT(most_ - least_, 1.0);
+}
+
 TEST_F(RecoveryTest, TurnsOnceAroundWhereThereIsRoom) {
   const auto rotate = make("rotate_recovery/RotateRecovery");
   EXPECT_NE(run(*rotate), "");

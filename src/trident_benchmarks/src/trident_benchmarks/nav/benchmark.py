@@ -28,6 +28,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--robot", action="append", default=[], help="of the suites office and tight; default: all"
     )
+    parser.add_argument("--goals", type=positive, metavar="N", help="of a seed of office (20)")
     parser.add_argument("--scene", action="append", default=[], help="of tight; default: all")
     parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
     parser.add_argument("--picture", type=Path, metavar="FILE.png", help="worlds and tracks")

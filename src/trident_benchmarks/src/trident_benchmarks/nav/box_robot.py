@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""A rectangular robot for tight places: a box on two wheels within its outline, with a lidar."""
+"""A rectangular robot for tight places: a box on two wheels within its outline, lidar, gyro."""
 
 from __future__ import annotations
 
@@ -34,9 +34,18 @@ _XACRO = """<?xml version="1.0"?>
                mu="1.0" rate_limit="30" torque_limit="5"/>
   <xacro:caster name="caster" x="-0.16" z="-0.04" radius="0.02" mass="0.05"/>
   <xacro:lidar_2d link="laser_link" parent="base_link" x="0" y="0" z="0.1" samples="720"
-                  min_range="0.05" max_range="30" sigma="0.001" rate="20"/>
+                  min_range="0.05" max_range="30" sigma="0.001" resolution="0.001" rate="20"/>
   <xacro:diff_drive separation="0.26" diameter="0.12" torque="5" acceleration="2" rate="50"
                     source="encoder"/>
+  <gazebo>
+    <plugin name="imu" filename="libhector_gazebo_ros_imu.so">
+      <bodyName>base_link</bodyName>
+      <topicName>imu/data</topicName>
+      <frameId>base_link</frameId>
+      <updateRate>50</updateRate>
+      <rateGaussianNoise>0.005 0.005 0.005</rateGaussianNoise>
+    </plugin>
+  </gazebo>
 </robot>
 """
 _LIMITS = """global_costmap: {{footprint: &footprint {corners}}}
@@ -73,7 +82,7 @@ class BoxRobot(Robot):
             return expand_xacro(file)
 
 
-BOX = BoxRobot("box", "laser_link", "scan", odometry="odom")
+BOX = BoxRobot("box", "laser_link", "scan", 0.06, ("wheel_left_joint",), ("wheel_right_joint",))
 
 
 def limits_file(folder: Path) -> Path:

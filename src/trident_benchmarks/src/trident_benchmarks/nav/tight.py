@@ -26,7 +26,7 @@ from trident_benchmarks.results import say
 Box = tuple[float, float, float, float, float]  # x, y [m], yaw [rad], length, width [m]
 
 _SEEDS, _QUICK_SEEDS = 50, 3
-_LIMIT_S = 120.0
+_LIMIT_S = 60.0
 _DOOR_SPARE_M = 0.06
 _WALL_M = 0.15
 _HALL = (8.0, 4.0)  # about the doors [m]

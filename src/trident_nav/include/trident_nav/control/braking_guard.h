@@ -18,6 +18,10 @@ struct ContactAhead {
   int track_id = -1;  ///< Of the moving obstacle; -1: a cell of the grid.
 };
 
+/// What is kept free around a footprint: what a base's controller and the commands' discrete times
+/// make of a trajectory [m].
+double guard_padding_m(const Footprint& footprint);
+
 /// The last check of each command: with it for one period and the hardest braking after, the robot
 /// stands before it touches anything. What passes is therefore safe for ever in a world that
 /// stands still: the braking that was checked is always left.

@@ -121,6 +121,10 @@ void write_pursuits(const MppiModel& model, const CriticScene& scene, const Roll
       writer->write(pursue(model, points, start, share * full, lookahead_m));
     }
   }
+  // A path that begins behind a robot that has no room to turn.
+  if (!is_backwards && model.limits.vx_min < 0.0) {
+    writer->write(pursue(model, points, start, model.limits.vx_min, near));
+  }
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct CriticScene {
   std::vector<float> path_yaw;                ///< Wanted headings: the path's own, or the travel's.
   float path_spacing = 0.0F;
   bool is_reverse = false;
+  bool leaves_backwards = false;  ///< Only trajectories backwards get on along the path.
   bool has_headings = false;
   bool reaches_goal = false;
   double blocked_ratio = 0.0;  ///< Of the path's points up to the furthest.

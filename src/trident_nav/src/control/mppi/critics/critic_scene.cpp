@@ -6,8 +6,17 @@
 #include <cmath>
 #include <limits>
 
+#include "../path_centering.h"
+
 namespace trident::nav {
 namespace {
+
+// Forward trajectories that get no farther along the path than this share of those backwards are
+// those of a robot that can only leave backwards.
+constexpr double kStuckShare = 0.3;
+
+// Of circumscribed radii: where a robot has less room it passes straight or not at all.
+constexpr double kNarrowRadii = 1.05;
 
 int nearest_point(const CriticScene& scene, float x, float y) {
   int nearest = 0;
@@ -21,6 +30,12 @@ int nearest_point(const CriticScene& scene, float x, float y) {
     nearest = static_cast<int>(i);
   }
   return nearest;
+}
+
+bool drives_back(const Rollouts& rollouts, int lane) {
+  float sum = 0.0F;
+  for (int step = 0; step < rollouts.steps; ++step) sum += rollouts.at(rollouts.vx, step)[lane];
+  return sum < 0.0F;
 }
 
 bool is_blocked(const CriticScene& scene, std::size_t point) {
@@ -38,8 +53,11 @@ CriticScene make_critic_scene(const MppiModel& model, const Situation& situation
                               const CostGrid& grid) {
   CriticScene scene{model, situation.state.pose, grid, situation.tracks, {}, {}, {}, {}, {}};
   const LocalPath& path = situation.path;
-  for (std::size_t i = 0; i < path.poses.size(); ++i) {
-    const Pose2& p = path.poses[i];
+  std::vector<Pose2> poses = path.poses;
+  // Headings of its own say that the planner has checked the footprint.
+  if (!path.has_headings) center_path(grid, kNarrowRadii * model.circumscribed_radius, &poses);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Pose2& p = poses[i];
     scene.path_x.push_back(static_cast<float>(p.x - scene.origin.x));
     scene.path_y.push_back(static_cast<float>(p.y - scene.origin.y));
     scene.path_cosine.push_back(static_cast<float>(std::cos(p.yaw)));
@@ -59,13 +77,16 @@ CriticScene make_critic_scene(const MppiModel& model, const Situation& situation
 
 void find_furthest(const Rollouts& rollouts, CriticScene* scene) {
   scene->furthest = 0;
+  int ahead = 0;
   const int last = rollouts.steps - 1;
   for (int lane = 0; lane < kLanes; ++lane) {
     if (rollouts.contact_step[static_cast<std::size_t>(lane)] < rollouts.steps) continue;
     const int point = nearest_point(*scene, rollouts.at(rollouts.x, last)[lane],
                                     rollouts.at(rollouts.y, last)[lane]);
     scene->furthest = std::max(scene->furthest, point);
+    if (!drives_back(rollouts, lane)) ahead = std::max(ahead, point);
   }
+  scene->leaves_backwards = ahead < kStuckShare * scene->furthest;
   int blocked = 0;
   for (int i = 0; i <= scene->furthest; ++i) {
     if (is_blocked(*scene, static_cast<std::size_t>(i))) ++blocked;

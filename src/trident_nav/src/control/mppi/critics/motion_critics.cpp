@@ -40,7 +40,7 @@ class PreferForwardCritic final : public MppiCritic {
         threshold_m_(params.threshold_to_consider.value_or(2.0 * model.circumscribed_radius)) {}
 
   bool is_active(const CriticScene& scene) const override {
-    return !scene.is_reverse && scene.goal_distance_m > threshold_m_;
+    return !scene.is_reverse && !scene.leaves_backwards && scene.goal_distance_m > threshold_m_;
   }
 
  private:

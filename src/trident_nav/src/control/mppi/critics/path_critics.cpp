@@ -138,7 +138,7 @@ class PathAngleCritic final : public MppiCritic {
         std::min(scene.furthest + params_.offset_from_furthest, scene.last_point()));
   }
   bool is_either_end(const CriticScene& scene) const {
-    return params_.mode == 1 || scene.is_reverse;
+    return params_.mode == 1 || scene.is_reverse || scene.leaves_backwards;
   }
 
   void score(const CriticScene& scene, const Rollouts& rollouts, float* cost) const override {
