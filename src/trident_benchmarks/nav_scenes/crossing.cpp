@@ -92,8 +92,7 @@ class Crossing {
     walkers_.step(kWalkPeriod_s);
     for (std::size_t i = 0; i < models_.size(); ++i) {
       const nav::Point2& v = walkers_.all()[i].velocity;
-      drive_.robot().world().set_model_twist(*models_[i], {v.x, v.y, 0.0},
-                                             Eigen::Vector3d::Zero());
+      drive_.robot().world().set_model_twist(*models_[i], {v.x, v.y, 0.0}, Eigen::Vector3d::Zero());
     }
   }
 
@@ -114,12 +113,12 @@ class Crossing {
     }
   }
 
-  /// Whoever is pushed into something did not drive into it.
+  /// A robot that is pushed into something did not drive into it.
   bool is_pushed() const {
     constexpr double kAfter_s = 1.0;
-    return std::any_of(
-        result_.touches.begin(), result_.touches.end(),
-        [&](const Touch& touch) { return drive_.time_s() - touch.last_s < kAfter_s; });
+    return std::any_of(result_.touches.begin(), result_.touches.end(), [&](const Touch& touch) {
+      return drive_.time_s() - touch.last_s < kAfter_s;
+    });
   }
 
   void touch(std::size_t walker, const Eigen::Vector3d& p_world) {
@@ -129,8 +128,8 @@ class Crossing {
       return;
     }
     const sim::Body& base = *drive_.robot().model().links.front()->body;
-    const Eigen::Vector3d v = base.previous_velocity() +
-                              base.previous_angular_velocity().cross(p_world - base.pose().p);
+    const Eigen::Vector3d v =
+        base.previous_velocity() + base.previous_angular_velocity().cross(p_world - base.pose().p);
     Eigen::Vector3d toward = models_[walker]->T_world_model().p - p_world;
     toward.z() = 0.0;
     result_.touches.push_back(
@@ -148,12 +147,13 @@ class Crossing {
   void note_frame() {
     if (drive_.time_s() < framed_s_ + config_.frame_period_s) return;
     framed_s_ = drive_.time_s();
-    CrossingFrame frame{framed_s_, drive_.robot().truth(), drive_.command(), {},
-                        drive_.stack().tracks()};
+    CrossingFrame frame{
+        framed_s_, drive_.robot().truth(), drive_.command(), {}, drive_.stack().tracks()};
     for (const Walker& walker : walkers_.all()) frame.walkers.push_back(walker.position);
     for (nav::Track& track : frame.tracks) {
       const nav::Pose2 p = placed(start_, {track.position.x, track.position.y, 0.0});
-      const nav::Pose2 v = placed({0.0, 0.0, start_.yaw}, {track.velocity.x, track.velocity.y, 0.0});
+      const nav::Pose2 v =
+          placed({0.0, 0.0, start_.yaw}, {track.velocity.x, track.velocity.y, 0.0});
       track.position = {p.x, p.y};
       track.velocity = {v.x, v.y};
     }

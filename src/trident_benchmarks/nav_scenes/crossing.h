@@ -52,7 +52,7 @@ struct CrossingResult {
   double time_s = 0.0;  ///< From the goal's coming to the end.
   std::string text;     ///< Of the end.
   std::vector<Touch> touches;
-  std::string wall;     ///< What else was touched first; empty: nothing.
+  std::string wall;  ///< What else was touched first; empty: nothing.
   int recoveries = 0;
   double navigation_cpu_s = 0.0;
   std::vector<CrossingFrame> frames;

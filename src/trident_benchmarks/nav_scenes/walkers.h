@@ -45,8 +45,8 @@ struct Walker {
   std::uint64_t legs = 0;  ///< Targets it has had.
 };
 
-/// Walkers that go from one random place of the hall to the next at speeds of their own. They make
-/// way for each other by the repulsion of the social force model (Helbing and Molnar, "Social
+/// Walkers that go from one random place of the hall to the next at speeds of their own. They avoid
+/// each other by the repulsion of the social force model (Helbing and Molnar, "Social
 /// force model for pedestrian dynamics", Phys. Rev. E 51, 1995, equations 2, 3 and 8), and see no
 /// robot.
 class Walkers {

@@ -48,7 +48,7 @@ class MoveBaseNode {
   void warn_of_rivals();
   void cycle(double now_s);
   void note_step(const char* step);
-  void tell_missed_periods(double now_s);
+  void log_missed_periods(double now_s);
   void take_goals(double now_s);
   bool place_goal(double now_s, std::string* problem);
   std::optional<NavigatorInput> sense(double now_s, std::string* problem);

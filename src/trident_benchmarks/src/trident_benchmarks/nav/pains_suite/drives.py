@@ -73,7 +73,7 @@ def silence(config: Sequence[Path], jobs: int | None) -> list[dict[str, Any]]:
         pain(
             "P1",
             rival,
-            f"lidar silent at {speed:.2f} m/s: way until the robot stands",
+            f"lidar silent at {speed:.2f} m/s: distance until the robot stands",
             run["traveled_m"],
             limit_m,
             "m",
@@ -82,7 +82,7 @@ def silence(config: Sequence[Path], jobs: int | None) -> list[dict[str, Any]]:
         pain(
             "P1",
             rival,
-            "the same: way while the lidar stays silent",
+            "the same: distance moved later, still in silence",
             run["moved_later_m"],
             _STANDS_M,
             "m",
