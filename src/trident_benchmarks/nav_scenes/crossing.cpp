@@ -49,6 +49,7 @@ class Crossing {
         start_(pose_of(config.trial.start)),
         drive_(config.trial, parameters, seed),
         walkers_(config.walkers, seed, {start_.x, start_.y}) {
+    drive_.set_localized(true);
     spawn_walkers();
   }
 
@@ -89,6 +90,10 @@ class Crossing {
 
   void walk() {
     walked_s_ = drive_.time_s();
+    for (std::size_t i = 0; i < models_.size(); ++i) {
+      const Eigen::Vector3d& p = models_[i]->T_world_model().p;
+      walkers_.set_position(i, {p.x(), p.y()});
+    }
     walkers_.step(kWalkPeriod_s);
     for (std::size_t i = 0; i < models_.size(); ++i) {
       const nav::Point2& v = walkers_.all()[i].velocity;
@@ -113,9 +118,9 @@ class Crossing {
     }
   }
 
-  /// A robot that is pushed into something did not drive into it.
+  /// A robot that was just pushed by somebody did not drive into what it touches by itself.
   bool is_pushed() const {
-    constexpr double kAfter_s = 1.0;
+    constexpr double kAfter_s = 0.5;
     return std::any_of(result_.touches.begin(), result_.touches.end(), [&](const Touch& touch) {
       return drive_.time_s() - touch.last_s < kAfter_s;
     });
@@ -133,7 +138,7 @@ class Crossing {
     Eigen::Vector3d toward = models_[walker]->T_world_model().p - p_world;
     toward.z() = 0.0;
     result_.touches.push_back(
-        {drive_.time_s(), walker, v.dot(toward.normalized()), drive_.time_s()});
+        {drive_.time_s(), walker, v.dot(toward.normalized()), drive_.time_s(), is_pushed()});
   }
 
   void note(const nav::NavigatorOutput& output) {

@@ -54,7 +54,12 @@ class Walkers {
   /// Places them at random, none near `robot`. Throws Error if the hall has no room for them.
   Walkers(const WalkerParams& params, std::uint64_t seed, const nav::Point2& robot);
 
+  /// Lets them walk for a while from where they are.
   void step(double duration_s);
+  /// Puts one where it really is.
+  void set_position(std::size_t walker, const nav::Point2& position) {
+    walkers_[walker].position = position;
+  }
   const std::vector<Walker>& all() const { return walkers_; }
 
  private:

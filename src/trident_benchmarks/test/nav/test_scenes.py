@@ -39,6 +39,7 @@ def test_seeds_are_dealt_out_and_nobody_gets_none() -> None:
 
 def test_a_robot_that_pushes_or_does_not_arrive_fails_the_row() -> None:
     touch = {"time_s": 3.0, "walker": 2, "own_speed_m_s": 0.3, "last_s": 3.1}
+    touch |= {"is_pushed": False}
     still = touch | {"own_speed_m_s": -0.4}
     row = people.row_of("x", [crossing(), crossing(seed=2, touches=[still])])
     assert row["passed"]
@@ -46,6 +47,9 @@ def test_a_robot_that_pushes_or_does_not_arrive_fails_the_row() -> None:
     pushed = people.row_of("x", [crossing(), crossing(seed=2, touches=[touch, still])])
     assert not pushed["passed"]
     assert pushed["touches_beyond_limit"] == 1
+    others = people.row_of("x", [crossing(touches=[touch | {"is_pushed": True}])])
+    assert others["passed"]
+    assert (others["touches"], others["touches_while_pushed"]) == (1, 1)
     lost = people.row_of("x", [crossing(), crossing(seed=2, has_arrived=False, text="no path")])
     assert not lost["passed"]
     assert lost["failures"] == ["seed 2: no path"]

@@ -21,7 +21,7 @@ _STANDS_M = 0.01  # no more than this while the lidar is silent
 _GOALS, _QUICK_GOALS = 200, 20
 _PROCESSES = 4  # that share the goals
 # A window that holds the hall: what is planned in is no part of these scenes.
-_WINDOW = "global_costmap: {width: 16.0, height: 16.0, resolution: 0.05}\n"
+_WINDOW = "global_costmap: {width: 24.0, height: 24.0, resolution: 0.05}\n"
 
 
 def _documents(
