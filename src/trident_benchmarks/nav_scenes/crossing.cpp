@@ -49,6 +49,7 @@ class Crossing {
         start_(pose_of(config.trial.start)),
         drive_(config.trial, parameters, seed),
         walkers_(config.walkers, seed, {start_.x, start_.y}) {
+    drive_.set_localized(true);
     spawn_walkers();
   }
 
@@ -89,11 +90,14 @@ class Crossing {
 
   void walk() {
     walked_s_ = drive_.time_s();
+    for (std::size_t i = 0; i < models_.size(); ++i) {
+      const Eigen::Vector3d& p = models_[i]->T_world_model().p;
+      walkers_.set_position(i, {p.x(), p.y()});
+    }
     walkers_.step(kWalkPeriod_s);
     for (std::size_t i = 0; i < models_.size(); ++i) {
       const nav::Point2& v = walkers_.all()[i].velocity;
-      drive_.robot().world().set_model_twist(*models_[i], {v.x, v.y, 0.0},
-                                             Eigen::Vector3d::Zero());
+      drive_.robot().world().set_model_twist(*models_[i], {v.x, v.y, 0.0}, Eigen::Vector3d::Zero());
     }
   }
 
@@ -114,12 +118,12 @@ class Crossing {
     }
   }
 
-  /// Whoever is pushed into something did not drive into it.
+  /// A robot that was just pushed by somebody did not drive into what it touches by itself.
   bool is_pushed() const {
-    constexpr double kAfter_s = 1.0;
-    return std::any_of(
-        result_.touches.begin(), result_.touches.end(),
-        [&](const Touch& touch) { return drive_.time_s() - touch.last_s < kAfter_s; });
+    constexpr double kAfter_s = 0.5;
+    return std::any_of(result_.touches.begin(), result_.touches.end(), [&](const Touch& touch) {
+      return drive_.time_s() - touch.last_s < kAfter_s;
+    });
   }
 
   void touch(std::size_t walker, const Eigen::Vector3d& p_world) {
@@ -129,12 +133,12 @@ class Crossing {
       return;
     }
     const sim::Body& base = *drive_.robot().model().links.front()->body;
-    const Eigen::Vector3d v = base.previous_velocity() +
-                              base.previous_angular_velocity().cross(p_world - base.pose().p);
+    const Eigen::Vector3d v =
+        base.previous_velocity() + base.previous_angular_velocity().cross(p_world - base.pose().p);
     Eigen::Vector3d toward = models_[walker]->T_world_model().p - p_world;
     toward.z() = 0.0;
     result_.touches.push_back(
-        {drive_.time_s(), walker, v.dot(toward.normalized()), drive_.time_s()});
+        {drive_.time_s(), walker, v.dot(toward.normalized()), drive_.time_s(), is_pushed()});
   }
 
   void note(const nav::NavigatorOutput& output) {
@@ -148,12 +152,13 @@ class Crossing {
   void note_frame() {
     if (drive_.time_s() < framed_s_ + config_.frame_period_s) return;
     framed_s_ = drive_.time_s();
-    CrossingFrame frame{framed_s_, drive_.robot().truth(), drive_.command(), {},
-                        drive_.stack().tracks()};
+    CrossingFrame frame{
+        framed_s_, drive_.robot().truth(), drive_.command(), {}, drive_.stack().tracks()};
     for (const Walker& walker : walkers_.all()) frame.walkers.push_back(walker.position);
     for (nav::Track& track : frame.tracks) {
       const nav::Pose2 p = placed(start_, {track.position.x, track.position.y, 0.0});
-      const nav::Pose2 v = placed({0.0, 0.0, start_.yaw}, {track.velocity.x, track.velocity.y, 0.0});
+      const nav::Pose2 v =
+          placed({0.0, 0.0, start_.yaw}, {track.velocity.x, track.velocity.y, 0.0});
       track.position = {p.x, p.y};
       track.velocity = {v.x, v.y};
     }

@@ -13,7 +13,7 @@
 
 namespace trident::benchmarks {
 
-/// A drive through a hall in which people walk.
+/// A drive through a hall in which people walk, by a robot that knows its pose.
 struct CrossingConfig {
   TrialConfig trial;
   WalkerParams walkers;
@@ -34,7 +34,8 @@ struct Touch {
   std::size_t walker = 0;
   /// Of the point of the robot that touches, towards the walker, before the first moment [m/s].
   double own_speed_m_s = 0.0;
-  double last_s = 0.0;  ///< Of the latest moment.
+  double last_s = 0.0;     ///< Of the latest moment.
+  bool is_pushed = false;  ///< Somebody else pushed the robot then, or half a second before.
 };
 
 /// All that moves at one moment, in the frame of the world.
@@ -52,7 +53,7 @@ struct CrossingResult {
   double time_s = 0.0;  ///< From the goal's coming to the end.
   std::string text;     ///< Of the end.
   std::vector<Touch> touches;
-  std::string wall;     ///< What else was touched first; empty: nothing.
+  std::string wall;  ///< What else was touched first; empty: nothing.
   int recoveries = 0;
   double navigation_cpu_s = 0.0;
   std::vector<CrossingFrame> frames;

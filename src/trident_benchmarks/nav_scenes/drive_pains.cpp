@@ -135,7 +135,7 @@ class NearGoals {
 
 Silence fall_silent(const DrivePainConfig& config, const ConfigNode& parameters,
                     std::uint64_t seed) {
-  constexpr double kFull = 0.95;    // of the greatest speed
+  constexpr double kFull = 0.95;  // of the greatest speed
   constexpr double kSilent_s = 5.0;
   const double top = control_setup(parameters).limits.vx_max;
   SteppedDrive drive(config.trial, parameters, seed);

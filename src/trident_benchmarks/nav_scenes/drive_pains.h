@@ -25,11 +25,11 @@ struct DrivePainConfig {
 
 /// What came of a lidar that falls silent while the robot drives at full speed.
 struct Silence {
-  double speed_m_s = 0.0;   ///< When it fell silent.
-  double stopped_s = 0.0;   ///< From then until the robot stood.
-  double traveled_m = 0.0;  ///< Over that time.
+  double speed_m_s = 0.0;      ///< When it fell silent.
+  double stopped_s = 0.0;      ///< From then until the robot stood.
+  double traveled_m = 0.0;     ///< Over that time.
   double moved_later_m = 0.0;  ///< While it was silent still.
-  std::string waiting;      ///< What the navigation said.
+  std::string waiting;         ///< What the navigation said.
   bool has_continued = false;  ///< The goal was reached after scans came again.
 };
 

@@ -20,12 +20,9 @@ namespace bench = trident::benchmarks;
 using nlohmann::json;
 
 json json_of(const bench::Silence& silence) {
-  return {{"speed_m_s", silence.speed_m_s},
-          {"stopped_s", silence.stopped_s},
-          {"traveled_m", silence.traveled_m},
-          {"moved_later_m", silence.moved_later_m},
-          {"waiting", silence.waiting},
-          {"has_continued", silence.has_continued}};
+  return {{"speed_m_s", silence.speed_m_s},   {"stopped_s", silence.stopped_s},
+          {"traveled_m", silence.traveled_m}, {"moved_later_m", silence.moved_later_m},
+          {"waiting", silence.waiting},       {"has_continued", silence.has_continued}};
 }
 
 json json_of(const std::vector<bench::NearGoal>& goals) {

@@ -21,7 +21,8 @@ json json_of(const bench::Touch& touch) {
   return {{"time_s", touch.time_s},
           {"walker", touch.walker},
           {"own_speed_m_s", touch.own_speed_m_s},
-          {"last_s", touch.last_s}};
+          {"last_s", touch.last_s},
+          {"is_pushed", touch.is_pushed}};
 }
 
 json json_of(const bench::CrossingFrame& frame) {

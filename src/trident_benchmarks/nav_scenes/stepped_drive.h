@@ -23,6 +23,9 @@ class SteppedDrive {
   void set_goal(const nav::Pose2& goal) { stack_.set_goal(goal, robot_.time_s()); }
   /// Without it, scans are not given to the navigation.
   void set_lidar_on(bool is_on) { is_lidar_on_ = is_on; }
+  /// The navigation then has the robot's true pose, from its start, instead of the odometry's: as
+  /// if it were localized in a map.
+  void set_localized(bool is_localized) { is_localized_ = is_localized; }
   /// One step of the physics; what the navigation wants if its period was over.
   std::optional<nav::NavigatorOutput> step();
 
@@ -40,13 +43,16 @@ class SteppedDrive {
     nav::Twist2 twist;
   };
 
+  nav::Pose2 pose() const;
+
+  nav::Pose2 start_;
   double command_delay_s_;
   SimulatedRobot robot_;
   NavigationStack stack_;
   std::deque<Command> underway_;  ///< Not yet at the base.
   nav::Twist2 command_;
   double navigation_cpu_s_ = 0.0;
-  bool is_lidar_on_ = true;
+  bool is_lidar_on_ = true, is_localized_ = false;
 };
 
 }  // namespace trident::benchmarks

@@ -62,7 +62,7 @@ void Walkers::place(std::size_t walker, const nav::Point2& robot) {
 
 void Walkers::choose_target(std::size_t walker) {
   Walker& own = walkers_[walker];
-  // Whoever walks crosses a good part of the hall.
+  // Each walk crosses a good part of the hall.
   const double least_m = 0.4 * std::min(params_.hall[0], params_.hall[1]);
   for (int tries = 0; tries < 100; ++tries) {
     own.target = random_place(walker, kFirstTarget + own.legs++);

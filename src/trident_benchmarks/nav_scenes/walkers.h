@@ -45,8 +45,8 @@ struct Walker {
   std::uint64_t legs = 0;  ///< Targets it has had.
 };
 
-/// Walkers that go from one random place of the hall to the next at speeds of their own. They make
-/// way for each other by the repulsion of the social force model (Helbing and Molnar, "Social
+/// Walkers that go from one random place of the hall to the next at speeds of their own. They avoid
+/// each other by the repulsion of the social force model (Helbing and Molnar, "Social
 /// force model for pedestrian dynamics", Phys. Rev. E 51, 1995, equations 2, 3 and 8), and see no
 /// robot.
 class Walkers {
@@ -54,7 +54,12 @@ class Walkers {
   /// Places them at random, none near `robot`. Throws Error if the hall has no room for them.
   Walkers(const WalkerParams& params, std::uint64_t seed, const nav::Point2& robot);
 
+  /// Lets them walk for a while from where they are.
   void step(double duration_s);
+  /// Puts one where it really is.
+  void set_position(std::size_t walker, const nav::Point2& position) {
+    walkers_[walker].position = position;
+  }
   const std::vector<Walker>& all() const { return walkers_; }
 
  private:

@@ -27,10 +27,9 @@ Drive drive_band(const ControlSetup& setup, const Scene& scene, const Path& path
 /// The scenes have a contact, an arrival, and commands that were refused.
 Pains judged(const std::string& rival, const std::string& what, const Drive& drive) {
   const double failed = drive.has_contact || !drive.is_reached ? 1.0 : 0.0;
-  const double refused =
-      drive.commands.empty() ? 1.0
-                             : static_cast<double>(drive.failures) /
-                                   static_cast<double>(drive.commands.size());
+  const double refused = drive.commands.empty() ? 1.0
+                                                : static_cast<double>(drive.failures) /
+                                                      static_cast<double>(drive.commands.size());
   const std::string note = drive.failures > 0 ? drive.last_reason : "";
   return {{"P8", rival, "TEB, " + what + ": contacts, or not reached", failed, 0.0, "drives", false,
            note},

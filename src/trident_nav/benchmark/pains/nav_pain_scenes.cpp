@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// nav_pain_scenes [--quick] [SCENE ...]: what users of other navigation stacks complain of, on
+// nav_pain_scenes [--quick] [SCENE ...]: issues that users of other navigation stacks report, on
 // costmaps, planners, controllers and the navigator alone; a line of JSON for each measurement.
 // Scenes: obstacles, paths, tuning, bands, reasons; default: all. Exits with 2 for anything else.
 #include <exception>
@@ -18,19 +18,15 @@ using trident::nav::pains::Pain;
 using trident::nav::pains::Pains;
 
 const std::map<std::string, Pains (*)(bool)> kScenes = {
-    {"obstacles", trident::nav::pains::obstacle_pains},
-    {"paths", trident::nav::pains::path_pains},
-    {"tuning", trident::nav::pains::tuning_pains},
-    {"bands", trident::nav::pains::band_pains},
+    {"obstacles", trident::nav::pains::obstacle_pains}, {"paths", trident::nav::pains::path_pains},
+    {"tuning", trident::nav::pains::tuning_pains},      {"bands", trident::nav::pains::band_pains},
     {"reasons", trident::nav::pains::reason_pains},
 };
 
 nlohmann::json json_of(const Pain& pain) {
-  return {{"scene", pain.scene},       {"rival", pain.rival},
-          {"what", pain.what},         {"measured", pain.measured},
-          {"limit", pain.limit},       {"unit", pain.unit},
-          {"is_least", pain.is_least}, {"passed", pain.has_passed()},
-          {"note", pain.note}};
+  return {{"scene", pain.scene},       {"rival", pain.rival},         {"what", pain.what},
+          {"measured", pain.measured}, {"limit", pain.limit},         {"unit", pain.unit},
+          {"is_least", pain.is_least}, {"passed", pain.has_passed()}, {"note", pain.note}};
 }
 
 int run(const std::vector<std::string>& words) {

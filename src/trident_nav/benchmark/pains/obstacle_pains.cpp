@@ -68,10 +68,10 @@ class BoxWorld {
       const double angle = -0.5 * kPi + kPi * i / (kBeams - 1) + 1e-9;
       const double range_m = has_box ? box_.hit(at, 5.0, angle) : kNothing;
       BeamEnd end;
-      end.p = std::isfinite(range_m) ? Eigen::Vector3f(static_cast<float>(range_m * std::cos(angle)),
-                                                       static_cast<float>(range_m * std::sin(angle)),
-                                                       0.0F)
-                                     : background(angle);
+      end.p = std::isfinite(range_m)
+                  ? Eigen::Vector3f(static_cast<float>(range_m * std::cos(angle)),
+                                    static_cast<float>(range_m * std::sin(angle)), 0.0F)
+                  : background(angle);
       end.is_hit = std::isfinite(range_m) || end.p.norm() < kBeyond_m;
       observation.ends.push_back(end);
     }
@@ -93,7 +93,7 @@ class BoxWorld {
     return count;
   }
 
-  /// A beam of this length has met nothing.
+  /// A beam of this length has hit nothing.
   static constexpr double kBeyond_m = 29.0;
 
  private:
@@ -158,10 +158,10 @@ double kept_share(const Background& background) {
 Pains obstacle_pains(bool /*is_quick*/) {
   Pains pains;
   for (const Background& background : backgrounds()) {
-    pains.push_back({"P4", "navigation#267, #662",
-                     std::string("box taken away, background ") + background.name +
-                         ": scans until it is gone",
-                     static_cast<double>(scans_until_gone(background)), 2.0, "scans", false, ""});
+    pains.push_back(
+        {"P4", "navigation#267, #662",
+         std::string("box taken away, background ") + background.name + ": scans until it is gone",
+         static_cast<double>(scans_until_gone(background)), 2.0, "scans", false, ""});
     pains.push_back({"P4", "navigation2#5476",
                      std::string("robot backs off to 5.5 m, background ") + background.name +
                          ": part of the box's marks that is left",

@@ -7,10 +7,10 @@
 
 namespace trident::nav::pains {
 
-/// One thing that users of other navigation stacks complain of, measured here.
+/// One issue that users of other navigation stacks report, measured here.
 struct Pain {
-  std::string scene;  ///< "P4": the group of complaints.
-  std::string rival;  ///< Where they complain: "navigation#267".
+  std::string scene;  ///< "P4": the group of issues.
+  std::string rival;  ///< An issue of theirs: "navigation#267".
   std::string what;   ///< What was measured.
   double measured = 0.0;
   double limit = 0.0;

@@ -19,7 +19,7 @@ using testing::RobotWorld;
 /// A planted cause: what is said when it strikes, and what that must name.
 struct Cause {
   const char* name;
-  std::function<std::string()> tell;
+  std::function<std::string()> provoke;
   std::vector<std::string> words;
 };
 
@@ -68,8 +68,8 @@ std::string unseen_wall() {
 
 std::string walled_in_robot() {
   RobotWorld::Setup setup = open_room();
-  setup.mapped = {{0.6, 1.6, 1.4, 1.65}, {0.6, 2.35, 1.4, 2.4}, {0.6, 1.6, 0.65, 2.4},
-                  {1.35, 1.6, 1.4, 2.4}};
+  setup.mapped = {
+      {0.6, 1.6, 1.4, 1.65}, {0.6, 2.35, 1.4, 2.4}, {0.6, 1.6, 0.65, 2.4}, {1.35, 1.6, 1.4, 2.4}};
   return drive_to(setup, {5.0, 2.0, 0.0});
 }
 
@@ -141,7 +141,9 @@ Pains reason_pains(bool /*is_quick*/) {
   const std::vector<Cause> causes = {
       {"goal in an obstacle", goal_in_wall, {"Failed to find a valid plan.", "goal (4.50, 2.00)"}},
       {"goal outside of the map",
-       [] { return drive_to(open_room(), {9.0, 2.0, 0.0}); },
+       [] {
+         return drive_to(open_room(), {9.0, 2.0, 0.0});
+       },
        {"goal (9.00, 2.00)", "outside"}},
       {"goal walled in by the map", walled_in_goal, {"goal (5.00, 2.00)", "No path"}},
       {"goal walled in by what the lidar sees", unseen_wall, {"goal (5.00, 2.00)", "No path"}},
@@ -149,17 +151,25 @@ Pains reason_pains(bool /*is_quick*/) {
       {"max_planning_retries used up", too_few_retries, {"max_planning_retries of 1"}},
       {"box around the robot", boxed_in, {"Even after executing recovery behaviors.", "obstacle"}},
       {"goal that is no number",
-       [] { return drive_to(open_room(), {kNaN, 2.0, 0.0}); },
+       [] {
+         return drive_to(open_room(), {kNaN, 2.0, 0.0});
+       },
        {"goal pose is not finite"}},
       {"lidar falls silent", silent_lidar, {"scan", "obstacle_layer", "limit is 0.3 s"}},
       {"lidar never sent", mute_lidar, {"scan", "obstacle_layer"}},
       {"walker in the braking trajectory", walker_ahead, {"moving obstacle 7"}},
       {"no room for the goal's heading", no_turn_at_goal, {"goal's heading is blocked"}},
   };
-  Pain pain{"P9", "navigation#57, #1178, navigation2#4778", "12 planted causes: named in the text",
-            0.0, 12.0, "causes", true, ""};
+  Pain pain{"P9",
+            "navigation#57, #1178, navigation2#4778",
+            "12 planted causes: named in the text",
+            0.0,
+            12.0,
+            "causes",
+            true,
+            ""};
   for (const Cause& cause : causes) {
-    const std::string text = cause.tell();
+    const std::string text = cause.provoke();
     bool is_named = true;
     for (const std::string& word : cause.words) {
       is_named = is_named && text.find(word) != std::string::npos;

@@ -44,19 +44,30 @@ double fastest_s(const MotionLimits& limits, double length_m) {
     return limits.vx_max / limits.ax_max + limits.vx_max / limits.decel_max +
            (length_m - ramp_m) / limits.vx_max;
   }
-  const double top = std::sqrt(2.0 * length_m /
-                               (1.0 / limits.ax_max + 1.0 / limits.decel_max));
+  const double top = std::sqrt(2.0 * length_m / (1.0 / limits.ax_max + 1.0 / limits.decel_max));
   return top / limits.ax_max + top / limits.decel_max;
 }
 
-/// How far the track strays from a straight line to the goal.
-double wobble_m(const Drive& drive, double y) {
-  double most = 0.0;
-  for (const Pose2& pose : drive.track) most = std::max(most, std::fabs(pose.y - y));
-  return most;
+/// How often the direction of the turn changes, beyond a tenth of what the robot can, per second.
+double turn_changes_per_s(const Drive& drive, const MotionLimits& limits) {
+  int changes = 0;
+  double last = 0.0;
+  for (const Twist2& twist : drive.commands) {
+    if (std::fabs(twist.wz) < 0.1 * limits.wz_max) continue;
+    changes += last * twist.wz < 0.0 ? 1 : 0;
+    last = twist.wz;
+  }
+  return changes / std::max(drive.time_s, 1e-9);
 }
 
-std::string tell(const NamedRobot& robot, const Scene& scene, const Drive& drive) {
+/// What the drives of all robots came to at worst.
+void raise(double value, const char* robot, Pain* pain) {
+  if (value <= pain->measured) return;
+  pain->measured = value;
+  pain->note = robot;
+}
+
+std::string failure_text(const NamedRobot& robot, const Scene& scene, const Drive& drive) {
   if (drive.is_reached && !drive.has_contact) return "";
   return std::string(robot.name) + ", " + scene.name +
          (drive.has_contact ? ": contact. " : ": not reached: " + drive.last_reason + " ");
@@ -70,28 +81,42 @@ Drive drive_by_default(const NamedRobot& robot, const Scene& scene) {
 }  // namespace
 
 Pains tuning_pains(bool is_quick) {
-  Pain reached{"P6", "navigation2#5531, #5714",
+  Pain reached{"P6",
+               "navigation2#5531, #5714",
                "MPPI without parameters, 5 robots, corner, door and dead end: drives that fail",
-               0.0, 0.0, "drives", false, ""};
-  Pain slow{"P6", "navigation2#5375, #4354",
-            "the same on a straight line: time over the least possible", 0.0, 1.25, "1", false, ""};
-  Pain wobble{"P6", "navigation2#4049", "the same: strays from the line, in footprint radii", 0.0,
-              0.1, "1", false, ""};
-  Pain overshoot{"P6", "navigation2#6160", "the same: error at the goal over the tolerance", 0.0,
-                 1.0, "1", false, ""};
+               0.0,
+               0.0,
+               "drives",
+               false,
+               ""};
+  Pain slow{"P6",
+            "navigation2#5375, #4354",
+            "the same on a straight line: time over the least possible",
+            0.0,
+            1.25,
+            "1",
+            false,
+            ""};
+  Pain wobble{
+      "P6", "navigation2#4049", "the same: changes of the turn's direction", 0.0, 1.0, "1/s", false,
+      ""};
+  Pain overshoot{"P6",
+                 "navigation2#6160",
+                 "the same: error at the goal over the tolerance",
+                 0.0,
+                 1.0,
+                 "1",
+                 false,
+                 ""};
   for (const NamedRobot& robot : robots()) {
     const Footprint& footprint = robot.setup.footprint;
     const Scene straight = testing::straight_scene(footprint);
     const Drive line = drive_by_default(robot, straight);
-    const double length_m = straight.goal.x - straight.start.x -
-                            robot.setup.tolerance.xy_goal_tolerance;
-    slow.measured =
-        std::max(slow.measured, line.time_s / fastest_s(robot.setup.limits, length_m));
-    wobble.measured = std::max(
-        wobble.measured, wobble_m(line, straight.start.y) / footprint.circumscribed_radius);
-    overshoot.measured =
-        std::max(overshoot.measured,
-                 line.position_error_m / robot.setup.tolerance.xy_goal_tolerance);
+    const double length_m =
+        straight.goal.x - straight.start.x - robot.setup.tolerance.xy_goal_tolerance;
+    raise(line.time_s / fastest_s(robot.setup.limits, length_m), robot.name, &slow);
+    raise(turn_changes_per_s(line, robot.setup.limits), robot.name, &wobble);
+    raise(line.position_error_m / robot.setup.tolerance.xy_goal_tolerance, robot.name, &overshoot);
     std::vector<Scene> scenes{straight};
     if (!is_quick) {
       scenes.push_back(testing::corner_scene(footprint));
@@ -99,7 +124,7 @@ Pains tuning_pains(bool is_quick) {
       if (robot.setup.can_turn_on_spot()) scenes.push_back(testing::dead_end_scene(footprint));
     }
     for (const Scene& scene : scenes) {
-      const std::string failure = tell(robot, scene, drive_by_default(robot, scene));
+      const std::string failure = failure_text(robot, scene, drive_by_default(robot, scene));
       reached.measured += failure.empty() ? 0.0 : 1.0;
       reached.note += failure;
     }

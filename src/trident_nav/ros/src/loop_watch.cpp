@@ -11,7 +11,7 @@ void LoopWatch::begin(double now_s, double wall_s, double period_s) {
     current_.period_s = now_s - begun_s_;
     if (current_.period_s > (1.0 + kTolerance) * current_.wanted_s) {
       ++missed_;
-      ++untold_;
+      ++unlogged_;
       if (current_.period_s > worst_.period_s) worst_ = current_;
     }
   }
@@ -33,17 +33,17 @@ void LoopWatch::note(const char* step, double wall_s) {
 
 std::string LoopWatch::take_text(double now_s) {
   constexpr double kPeriod_s = 1.0;
-  const bool is_early = now_s >= told_s_ && now_s - told_s_ < kPeriod_s;
-  if (untold_ == 0 || is_early) return "";
+  const bool is_early = now_s >= logged_s_ && now_s - logged_s_ < kPeriod_s;
+  if (unlogged_ == 0 || is_early) return "";
   char text[256];
   const bool is_own = worst_.steps_s > worst_.wanted_s;
   std::snprintf(text, sizeof text,
                 "The control loop missed %d of its periods of %.3f s; the longest was %.3f s. %s "
                 "took longest in it, %.3f s%s.",
-                untold_, worst_.wanted_s, worst_.period_s, worst_.step, worst_.step_s,
+                unlogged_, worst_.wanted_s, worst_.period_s, worst_.step, worst_.step_s,
                 is_own ? "" : ", and all steps fit into the period: the processor was elsewhere");
-  told_s_ = now_s;
-  untold_ = 0;
+  logged_s_ = now_s;
+  unlogged_ = 0;
   worst_ = {};
   return text;
 }

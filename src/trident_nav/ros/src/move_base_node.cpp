@@ -159,18 +159,16 @@ void MoveBaseNode::run_by_clock() {
     const double now_s = ros::Time::now().toSec();
     watch_.begin(now_s, ros::WallTime::now().toSec(), 1.0 / frequency);
     cycle(now_s);
-    tell_missed_periods(now_s);
+    log_missed_periods(now_s);
     rate.sleep();
   }
   send({});
 }
 
-void MoveBaseNode::note_step(const char* step) {
-  watch_.note(step, ros::WallTime::now().toSec());
-}
+void MoveBaseNode::note_step(const char* step) { watch_.note(step, ros::WallTime::now().toSec()); }
 
 /// Periods count while there is a goal.
-void MoveBaseNode::tell_missed_periods(double now_s) {
+void MoveBaseNode::log_missed_periods(double now_s) {
   if (!goals_->is_active()) watch_.pause();
   const std::string text = watch_.take_text(now_s);
   if (!text.empty()) ROS_WARN("%s", text.c_str());

@@ -43,7 +43,7 @@ TEST(LoopWatch, SaysWhenNoStepIsToBlame) {
   EXPECT_NE(text.find("the processor was elsewhere"), std::string::npos) << text;
 }
 
-TEST(LoopWatch, TellsOncePerSecondAndKeepsCounting) {
+TEST(LoopWatch, LogsOncePerSecondAndKeepsCounting) {
   LoopWatch watch;
   int texts = 0;
   for (int i = 0; i < 20; ++i) {

@@ -10,6 +10,9 @@
 namespace trident::nav {
 namespace {
 
+// A robot that stands does nobody harm.
+constexpr double kHarmless_m_s = 0.02;
+
 // The velocity that the base has after `duration_s` if it changes at its limits toward `target`.
 Twist2 approached(const MotionLimits& limits, const Twist2& twist, const Twist2& target,
                   double duration_s) {
@@ -90,15 +93,27 @@ double BrakingGuard::step_duration(const Pose2& pose, double speed, const CostGr
   return speed > 0.0 ? std::clamp(step_m / speed, 1e-5, kCoarse * period_s_) : kCoarse * period_s_;
 }
 
-std::optional<int> BrakingGuard::hit_track(const Pose2& pose, double after_s, double speed,
+// Of what no sensor has seen for a while, as it walks behind the robot, it is only known about where
+// it is: the robot may leave, but not drive there.
+bool BrakingGuard::is_hit(const Pose2& pose, double after_s, const Twist2& twist,
+                          const Track& track) const {
+  constexpr double kSeen_s = 0.3;
+  constexpr double kMostUnknown_m = 1.0;
+  const Point2 p = track.position_at(after_s);
+  const double d = distance(p.x, p.y, pose.x, pose.y);
+  const double reach = checker_.footprint().circumscribed_radius + track.radius_m;
+  if (track.unseen_s <= kSeen_s) return d <= reach;
+  if (d > reach + std::min(track.position_sigma(after_s), kMostUnknown_m)) return false;
+  const double c = std::cos(pose.yaw), s = std::sin(pose.yaw);
+  const Point2 v{c * twist.vx - s * twist.vy, s * twist.vx + c * twist.vy};
+  return v.x * (p.x - pose.x) + v.y * (p.y - pose.y) > kHarmless_m_s * d;
+}
+
+std::optional<int> BrakingGuard::hit_track(const Pose2& pose, double after_s, const Twist2& twist,
                                            const Tracks& tracks) const {
-  // A robot that stands does nobody harm.
-  constexpr double kHarmless = 0.02;  // [m/s]
-  if (speed < kHarmless) return std::nullopt;
+  if (outer_speed(checker_.footprint(), twist) < kHarmless_m_s) return std::nullopt;
   for (const Track& track : tracks) {
-    const Point2 p = track.position_at(after_s);
-    const double reach = checker_.footprint().circumscribed_radius + track.radius_m;
-    if (distance(p.x, p.y, pose.x, pose.y) <= reach) return track.id;
+    if (is_hit(pose, after_s, twist, track)) return track.id;
   }
   return std::nullopt;
 }
@@ -131,7 +146,7 @@ std::optional<ContactAhead> BrakingGuard::first_contact(const RobotState& state,
   while (t < end_s) {
     t += advance(command, grid, t, &pose, &twist);
     const double speed = outer_speed(checker_.footprint(), twist);
-    if (const auto id = hit_track(pose, t, speed, tracks)) return ContactAhead{pose, t, *id};
+    if (const auto id = hit_track(pose, t, twist, tracks)) return ContactAhead{pose, t, *id};
     const int tight = tightness(grid, pose);
     if (tight > allowed) return ContactAhead{pose, t, -1};
     allowed = tight;

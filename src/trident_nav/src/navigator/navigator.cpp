@@ -135,8 +135,8 @@ bool Navigator::waits_for_sources(const NavigatorInput& input, NavigatorOutput* 
   const std::vector<StaleSource> stale = world_.stale_sources(input.now_s);
   if (stale.empty()) return false;
   const double waited_s = std::max(input.now_s - since_.step_s, 0.0);
-  for (double* since : {&since_.plan_s, &since_.command_s, &since_.motion_s, &since_.progress_s,
-                        &since_.failing_s})
+  for (double* since :
+       {&since_.plan_s, &since_.command_s, &since_.motion_s, &since_.progress_s, &since_.failing_s})
     *since += waited_s;
   // Odometry may be what is silent: what it said last does not change however long this brakes.
   const Twist2& measured = input.state.twist;
@@ -323,7 +323,7 @@ void Navigator::miss_command(const NavigatorInput& input, const CommandOutcome& 
 }
 
 /// The recovery to be tried next, which is noted as tried. A robot that moves to and fro between
-/// places where it gets stuck does not begin anew at each of them.
+/// places where it gets stuck does not begin again with the first at each of them.
 std::size_t Navigator::untried_recovery(const Pose2& robot) {
   const double near_m =
       std::max(parts_.params.oscillation_distance, parts_.footprint.circumscribed_radius);

@@ -140,6 +140,25 @@ TEST(GuardedController, CommandsAreForWhereTheRobotIsWhenTheyAct) {
   EXPECT_NEAR(seen.y, 2.0, 1e-9);
 }
 
+TEST(BrakingGuard, DoesNotBackIntoWhomTheRobotSawPassBehindIt) {
+  const ControlSetup setup = jackal();
+  const GridWorld world(6.0, 4.0);
+  const FootprintChecker checker(setup.footprint);
+  const BrakingGuard guard(setup.limits, checker, checker, setup.period_s);
+  const RobotState state{{3.0, 2.0, 0.0}, {-0.2, 0.0, 0.0}, 0.0};
+  Track walker{5, {1.9, 2.0}, {0.0, 0.0}, 0.25, {}, 0.0};
+  for (std::size_t axis = 0; axis < 2; ++axis) walker.covariance[5 * axis] = 0.36;
+  const auto contact = [&](double vx) {
+    return guard.first_contact(state, {vx, 0.0, 0.0}, world.grid(), {walker}).has_value();
+  };
+  EXPECT_FALSE(contact(-0.3)) << "it is seen, and too far away to be touched";
+  walker.unseen_s = 1.0;
+  EXPECT_TRUE(contact(-0.3)) << "it may have come nearer";
+  const RobotState leaving{{3.0, 2.0, 0.0}, {0.2, 0.0, 0.0}, 0.0};
+  EXPECT_FALSE(
+      guard.first_contact(leaving, {0.3, 0.0, 0.0}, world.grid(), {walker}).has_value());
+}
+
 TEST(Lanes, TheAngleIsThatOfTheLibrary) {
   for (int i = 0; i < 1000; ++i) {
     const double angle = -3.1415 + 0.00628 * i;

@@ -246,6 +246,41 @@ TEST(ObstacleTracker, WhatIsSeenOnceIsNothingAndWhatIsGoneIsPredictedForAWhile) 
   EXPECT_EQ(tracker.size(), 0U);
 }
 
+TEST(ObstacleTracker, WhatLeavesTheFieldOfViewIsPredictedForLonger) {
+  const TrackerParams params;
+  ObstacleTracker tracker(params);
+  // A lidar that sees what is before it, 90 degrees to each side.
+  ScanPoints scan = scan_of({}, {0.0, 0.0}, kNaN, 720);
+  scan.first_angle = -0.5 * kPi;
+  scan.ends.resize(361);
+  scan.is_full_turn = false;
+  double t = 0.0;
+  for (; t < 1.55; t += 0.1) tracker.update({seen(1.5 - t, 0.8)}, t, &scan);
+  const double last_s = t - 0.1;
+  for (; t < last_s + params.forget_hidden_after - 0.05; t += 0.1) {
+    tracker.update({}, t, &scan);
+    const Tracks& moving = tracker.moving_at(t);
+    ASSERT_EQ(moving.size(), 1U) << t - last_s;
+    EXPECT_NEAR(moving[0].unseen_s, t - last_s, 1e-9);
+  }
+  tracker.update({}, last_s + params.forget_hidden_after + 0.1, &scan);
+  EXPECT_EQ(tracker.size(), 0U);
+}
+
+TEST(ScanPoints, SeeWhatBeamsReachInEitherOrderOfAngles) {
+  ScanPoints scan = scan_of({{{2.0, 0.0}, 0.3}}, {0.0, 0.0});
+  EXPECT_TRUE(scan.sees({2.0, 0.0}));
+  EXPECT_TRUE(scan.sees({-3.0, -1.0}));
+  EXPECT_FALSE(scan.sees({3.0, 0.0})) << "hidden by the disc";
+  scan.ends.resize(361);  // the left half alone
+  scan.is_full_turn = false;
+  EXPECT_TRUE(scan.sees({0.0, 3.0}));
+  EXPECT_FALSE(scan.sees({0.0, -3.0}));
+  scan.is_clockwise = true;  // the right half alone
+  EXPECT_FALSE(scan.sees({0.0, 3.0}));
+  EXPECT_TRUE(scan.sees({0.0, -3.0}));
+}
+
 TEST(ObstacleTracker, ATimeThatGoesBackForgetsAndOneThatIsNotFiniteIsRefused) {
   ObstacleTracker tracker({});
   for (int i = 0; i < 20; ++i) tracker.update({seen(0.1 * i, 0.0)}, 10.0 + 0.1 * i);

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The suite pains: a scene for each group of complaints about other navigation stacks."""
+"""The suite pains: a scene for each group of issues that users of other navigation stacks report."""
 
 from __future__ import annotations
 
@@ -16,6 +16,11 @@ from trident_benchmarks.nav.programs import rows_of
 from trident_benchmarks.results import say
 
 
+def _plain_scenes(quick: bool) -> list[dict[str, Any]]:
+    words = ["--quick"] if quick else []
+    return [{"suite": "pains"} | row for row in rows_of("nav_pain_scenes", words)]
+
+
 def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
     """Plays all scenes and prints the table.
 
@@ -25,9 +30,8 @@ def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
     Raises:
         EvalError: a scene could not be played.
     """
-    words = ["--quick"] if options.quick else []
     scenes = (
-        ("P4 - P9", lambda: [{"suite": "pains"} | row for row in rows_of("nav_pain_scenes", words)]),
+        ("P4 - P9", lambda: _plain_scenes(options.quick)),
         ("P12", lambda: instructions(options.quick)),
         ("P1", lambda: silence(options.config, options.jobs)),
         ("P2", lambda: near_goals(options.config, options.jobs, options.quick)),

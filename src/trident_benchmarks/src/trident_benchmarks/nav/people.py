@@ -103,7 +103,9 @@ def crossings(
 def row_of(system: str, runs: Sequence[dict[str, Any]]) -> dict[str, Any]:
     """What the crossings of one configuration came to."""
     arrived = [run for run in runs if run["has_arrived"] and not run["wall"]]
-    speeds = [touch["own_speed_m_s"] for run in runs for touch in run["touches"]]
+    touches = [touch for run in runs for touch in run["touches"]]
+    # What somebody pushes is not driving by itself.
+    speeds = [touch["own_speed_m_s"] for touch in touches if not touch["is_pushed"]]
     share = len(arrived) / len(runs)
     fastest = max(speeds, default=0.0)
     driven_s = sum(run["time_s"] for run in runs)
@@ -113,7 +115,8 @@ def row_of(system: str, runs: Sequence[dict[str, Any]]) -> dict[str, Any]:
         "crossings": len(runs),
         "arrived": share,
         "arrived_limit": ARRIVED_LIMIT,
-        "touches": len(speeds),
+        "touches": len(touches),
+        "touches_while_pushed": len(touches) - len(speeds),
         "fastest_own_m_s": fastest,
         "own_limit_m_s": SPEED_LIMIT_M_S,
         "touches_beyond_limit": sum(speed > SPEED_LIMIT_M_S for speed in speeds),

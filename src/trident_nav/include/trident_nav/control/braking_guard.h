@@ -39,8 +39,9 @@ class BrakingGuard {
 
  private:
   int tightness(const CostGrid& grid, const Pose2& pose) const;
-  std::optional<int> hit_track(const Pose2& pose, double after_s, double speed,
+  std::optional<int> hit_track(const Pose2& pose, double after_s, const Twist2& twist,
                                const Tracks& tracks) const;
+  bool is_hit(const Pose2& pose, double after_s, const Twist2& twist, const Track& track) const;
   double step_duration(const Pose2& pose, double speed, const CostGrid& grid) const;
   double advance(const Twist2& command, const CostGrid& grid, double t, Pose2* pose,
                  Twist2* twist) const;

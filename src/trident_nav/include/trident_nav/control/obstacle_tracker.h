@@ -17,6 +17,7 @@ struct TrackerParams {
   double gate = 9.21;
   int confirming_scans = 4;
   double forget_after = 0.8;
+  double forget_hidden_after = 3.0;
   double min_speed = 0.15;
   double min_travel = 0.15;
 
@@ -33,7 +34,10 @@ struct TrackerParams {
              "holds 99 % of them");
     ar.field("confirming_scans", confirming_scans, Range::at_least(1.0),
              "scans in which an object must be seen");
-    ar.field("forget_after", forget_after, Range::positive(), "without being seen [s]");
+    ar.field("forget_after", forget_after, Range::positive(),
+             "without being seen where it would be seen [s]");
+    ar.field("forget_hidden_after", forget_hidden_after, Range::positive(),
+             "without being seen where it is hidden, or out of the field of view [s]");
     ar.field("min_speed", min_speed, Range::non_negative(), "what is slower stands [m/s]");
     ar.field("min_travel", min_travel, Range::non_negative(),
              "from where it was confirmed, until an object counts as moving [m]");
@@ -49,8 +53,11 @@ class ObstacleTracker {
   explicit ObstacleTracker(const TrackerParams& params) : params_(params) {}
 
   /// The clusters of a scan at its time, in the costmap's frame. An earlier time than the last one
-  /// makes it forget everything. Throws Error for a time or a cluster that is not finite.
-  void update(const std::vector<ScanCluster>& clusters, double time_s);
+  /// makes it forget everything. `scan`: what they were found in, which says where else something
+  /// would have been seen; nullptr: everywhere. Throws Error for a time or a cluster that is not
+  /// finite.
+  void update(const std::vector<ScanCluster>& clusters, double time_s,
+              const ScanPoints* scan = nullptr);
 
   /// Objects that are confirmed and move, predicted to a time that is not before the last scan's.
   /// The reference stays valid until the next call.
@@ -83,6 +90,7 @@ class ObstacleTracker {
   void judge_motion(Object* object) const;
   void match(const std::vector<ScanCluster>& clusters);
   void begin(const ScanCluster& cluster);
+  void drop_lost(const ScanPoints* scan);
 
   TrackerParams params_;
   std::vector<Object> objects_;

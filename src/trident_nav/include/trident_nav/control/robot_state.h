@@ -25,6 +25,8 @@ struct Track {
   double radius_m = 0.0;  ///< Of the circle that encloses it.
   /// Of (x, y, vx, vy), row by row [m^2, m^2/s, m^2/s^2].
   std::array<double, 16> covariance{};
+  /// For how long no sensor has seen it: it is hidden, or out of all fields of view [s].
+  double unseen_s = 0.0;
 
   Point2 position_at(double after_s) const {
     return {position.x + velocity.x * after_s, position.y + velocity.y * after_s};

@@ -45,6 +45,11 @@ struct ScanPoints {
   double angle_increment = 0.0;  ///< Between beams, without its sign [rad].
   bool is_full_turn = false;     ///< The first beam is next to the last one.
   std::vector<Point2> ends;      ///< Not finite: the beam saw nothing.
+  double first_angle = 0.0;      ///< Direction of the first beam [rad].
+  bool is_clockwise = false;     ///< Angles decrease from beam to beam.
+
+  /// Whether a beam leads to a point, and ends there or beyond.
+  bool sees(const Point2& point) const;
 };
 
 /// Splits scans where the distance between neighbors is greater than a surface at the flattest

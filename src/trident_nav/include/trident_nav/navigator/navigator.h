@@ -123,7 +123,7 @@ class Navigator {
   Patience since_;
   Trigger trigger_ = Trigger::kPlanning;
   std::size_t next_recovery_ = 0;
-  /// Where recoveries began on the way to this goal, and how many were tried there.
+  /// Where recoveries began since this goal came, and how many were tried there.
   struct TriedPlace {
     Point2 at;
     std::size_t count = 0;

@@ -38,8 +38,8 @@ class LoopWatch {
   bool has_begun_ = false;
   double begun_s_ = 0.0, noted_wall_s_ = 0.0;
   Missed current_, worst_;
-  int missed_ = 0, untold_ = 0;
-  double told_s_ = -1e9;
+  int missed_ = 0, unlogged_ = 0;
+  double logged_s_ = -1e9;
 };
 
 }  // namespace trident::nav

@@ -58,7 +58,7 @@ class MoveBaseNode {
   void cycle(double now_s);
   void note_time(double now_s);
   void note_step(const char* step);
-  void tell_missed_periods(double now_s);
+  void log_missed_periods(double now_s);
   void take_goals(double now_s);
   bool place_goal(double now_s, std::string* problem);
   void give_up_frame(double now_s, const std::string& problem);

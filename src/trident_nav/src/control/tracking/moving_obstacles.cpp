@@ -36,6 +36,8 @@ ScanPoints scan_points(const LaserScan& scan, Span<const SE3> T_costmap_laser,
   ScanPoints points;
   points.sensor = {pose.p.x(), pose.p.y()};
   points.angle_increment = std::fabs(scan.angle_increment);
+  points.first_angle = pose.rpy().z() + scan.angle_min;
+  points.is_clockwise = scan.angle_increment < 0.0;
   // One beam more would be at the first one, or pass it.
   points.is_full_turn = points.angle_increment * (static_cast<double>(beams) + 0.5) >= 2.0 * kPi;
   points.ends.assign(beams, {kNowhere, kNowhere});
@@ -63,7 +65,7 @@ void MovingObstacles::add_scan(const std::string& source, double stamp_s, const 
                       .try_emplace(source, Source{ScanClusterer(params_.clusters),
                                                   ObstacleTracker(params_.tracker), stamp_s})
                       .first;
-  at->second.tracker.update(at->second.clusterer.cluster(scan), stamp_s);
+  at->second.tracker.update(at->second.clusterer.cluster(scan), stamp_s, &scan);
   at->second.stamp_s = stamp_s;
 }
 

@@ -125,7 +125,22 @@ void ObstacleTracker::begin(const ScanCluster& cluster) {
   objects_.push_back(object);
 }
 
-void ObstacleTracker::update(const std::vector<ScanCluster>& clusters, double time_s) {
+/// Of what was not found in the newest scan, although it would have been seen for too long.
+void ObstacleTracker::drop_lost(const ScanPoints* scan) {
+  const auto is_lost = [&](const Object& object) {
+    if (object.is_matched) return false;
+    // What is not confirmed must be seen in each scan.
+    if (object.seen < params_.confirming_scans) return true;
+    const bool is_hidden = scan != nullptr && !scan->sees(object.position);
+    const double limit_s = is_hidden ? std::max(params_.forget_after, params_.forget_hidden_after)
+                                     : params_.forget_after;
+    return time_s_ - object.seen_s > limit_s;
+  };
+  objects_.erase(std::remove_if(objects_.begin(), objects_.end(), is_lost), objects_.end());
+}
+
+void ObstacleTracker::update(const std::vector<ScanCluster>& clusters, double time_s,
+                             const ScanPoints* scan) {
   if (!std::isfinite(time_s)) throw Error("scan: its time is " + number_text(time_s) + " s");
   if (!std::all_of(clusters.begin(), clusters.end(), [](const auto& c) { return is_finite(c); })) {
     throw Error("scan: a cluster is not finite");
@@ -139,12 +154,7 @@ void ObstacleTracker::update(const std::vector<ScanCluster>& clusters, double ti
     object.is_matched = false;
   }
   match(clusters);
-  const auto is_gone = [&](const Object& object) {
-    // What is not confirmed must be seen in each scan.
-    const bool is_tentative = object.seen < params_.confirming_scans;
-    return !object.is_matched && (is_tentative || time_s - object.seen_s > params_.forget_after);
-  };
-  objects_.erase(std::remove_if(objects_.begin(), objects_.end(), is_gone), objects_.end());
+  drop_lost(scan);
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     if (!is_used_[k] && !clusters[k].is_partial) begin(clusters[k]);
   }
@@ -156,13 +166,14 @@ const Tracks& ObstacleTracker::moving_at(double time_s) {
     if (!object.is_moving) continue;
     Object now = object;
     predict(&now, std::max(time_s - time_s_, 0.0));
-    Track track{now.id, now.position, now.velocity, now.radius_m, {}};
+    Track track{now.id, now.position, now.velocity, now.radius_m, {}, 0.0};
     for (std::size_t axis = 0; axis < 2; ++axis) {
       track.covariance[5 * axis] = now.position_variance;
       track.covariance[5 * axis + 2] = now.covariance;
       track.covariance[5 * axis + 8] = now.covariance;
       track.covariance[5 * axis + 10] = now.velocity_variance;
     }
+    track.unseen_s = std::max(time_s_ - object.seen_s, 0.0);
     moving_.push_back(track);
   }
   return moving_;

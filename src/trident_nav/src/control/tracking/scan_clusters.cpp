@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
@@ -17,6 +18,22 @@ constexpr double kNothing = std::numeric_limits<double>::infinity();
 double separation(const Point2& a, const Point2& b) { return distance(a.x, a.y, b.x, b.y); }
 
 }  // namespace
+
+bool ScanPoints::sees(const Point2& point) const {
+  // What ends a little before a point may be the surface of what is there.
+  constexpr double kSurface_m = 0.4;
+  if (ends.empty() || !(angle_increment > 0.0)) return false;
+  const double bearing = std::atan2(point.y - sensor.y, point.x - sensor.x) - first_angle;
+  const double ahead = wrap_angle(is_clockwise ? -bearing : bearing);
+  const double turned = ahead < 0.0 ? ahead + 2.0 * kPi : ahead;
+  auto beam = static_cast<std::size_t>(std::lround(turned / angle_increment));
+  if (beam >= ends.size()) {
+    if (!is_full_turn) return false;
+    beam %= ends.size();
+  }
+  const double range_m = separation(sensor, ends[beam]);
+  return !std::isfinite(range_m) || range_m + kSurface_m >= separation(sensor, point);
+}
 
 void ScanClusterer::collect_beams(const ScanPoints& scan) {
   beams_.clear();

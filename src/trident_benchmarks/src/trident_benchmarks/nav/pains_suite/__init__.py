@@ -1,3 +1,3 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Scenes of what users of other navigation stacks complain of."""
+"""Scenes of the issues that users of other navigation stacks report."""

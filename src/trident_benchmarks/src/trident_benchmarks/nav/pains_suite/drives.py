@@ -21,7 +21,7 @@ _STANDS_M = 0.01  # no more than this while the lidar is silent
 _GOALS, _QUICK_GOALS = 200, 20
 _PROCESSES = 4  # that share the goals
 # A window that holds the hall: what is planned in is no part of these scenes.
-_WINDOW = "global_costmap: {width: 16.0, height: 16.0, resolution: 0.05}\n"
+_WINDOW = "global_costmap: {width: 24.0, height: 24.0, resolution: 0.05}\n"
 
 
 def _documents(
@@ -73,7 +73,7 @@ def silence(config: Sequence[Path], jobs: int | None) -> list[dict[str, Any]]:
         pain(
             "P1",
             rival,
-            f"lidar silent at {speed:.2f} m/s: way until the robot stands",
+            f"lidar silent at {speed:.2f} m/s: distance until the robot stands",
             run["traveled_m"],
             limit_m,
             "m",
@@ -82,7 +82,7 @@ def silence(config: Sequence[Path], jobs: int | None) -> list[dict[str, Any]]:
         pain(
             "P1",
             rival,
-            "the same: way while the lidar stays silent",
+            "the same: distance moved later, still in silence",
             run["moved_later_m"],
             _STANDS_M,
             "m",

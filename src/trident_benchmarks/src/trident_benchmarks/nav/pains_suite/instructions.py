@@ -25,6 +25,12 @@ _NOT_VECTOR = ("verr", "verw", "vmcall", "vmxon")
 CHOSEN = re.compile(r"avx2|avx512|\bfma\b")
 
 
+def is_wide(line: str) -> bool:
+    """Whether a line of a disassembly is an instruction of AVX or later."""
+    match = _INSTRUCTION.match(line)
+    return match is not None and not match[1].startswith(_NOT_VECTOR)
+
+
 def wide_functions(listing: Iterable[str]) -> dict[str, str]:
     """Functions of a disassembly that use AVX though nothing chose them, with an instruction.
 
@@ -36,9 +42,8 @@ def wide_functions(listing: Iterable[str]) -> dict[str, str]:
     for line in listing:
         if match := _FUNCTION.match(line):
             function = match[1]
-        elif (match := _INSTRUCTION.match(line)) and not match[1].startswith(_NOT_VECTOR):
-            if not CHOSEN.search(function):
-                found.setdefault(function, line.strip())
+        elif is_wide(line) and not CHOSEN.search(function):
+            found.setdefault(function, line.strip())
     return found
 
 
@@ -74,7 +79,7 @@ def _listing(file: Path) -> list[str]:
 
 
 def instructions(quick: bool) -> list[dict[str, Any]]:
-    """P12: by objdump; nothing where there is none, or on another processor.
+    """P12: by objdump; no rows without objdump, or on another processor.
 
     Raises:
         EvalError: nothing is built, or objdump fails.

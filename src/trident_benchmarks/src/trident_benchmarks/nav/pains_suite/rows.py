@@ -22,8 +22,8 @@ def pain(
     """A measurement and its limit.
 
     Args:
-        scene: the group of complaints, "P1".
-        rival: where they complain.
+        scene: the group of issues, "P1".
+        rival: an issue of it.
         what: what was measured.
         measured: the value.
         limit: the most, or with is_least the least, that is good.

@@ -36,9 +36,7 @@ def first_goal(map_file: Path, seed: int) -> str:
         _, master = processes.start_master()
         # As a launch file sets it before its nodes.
         master.set_params({"/use_sim_time": True})
-        parts = commands(
-            processes.folder, map_file, "room", (0.0, 0.0, 0.0), ("--", _GOAL), _SPEED
-        )
+        parts = commands(processes.folder, map_file, "room", (0.0, 0.0, 0.0), ("--", _GOAL), _SPEED)
         names = list(parts)
         order.shuffle(names)
         for name in names:
