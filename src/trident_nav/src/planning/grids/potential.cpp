@@ -158,7 +158,7 @@ void Potential::prefetch(Packed p) const {
 
 Potential::Around Potential::around(int x, int y) {
   cells_.fill_around(x, y, *source_);
-  return {&cells_[cells_.index(x, y)], x, y, cells_.offsets(x, y)};
+  return {&cells_[cells_.index(x, y)], x, y, &cells_.offsets(x, y)};
 }
 
 // Goes on straight ahead without the queue as long as keys stay below the limit: what comes next is
@@ -194,7 +194,8 @@ bool Potential::advance(Around& at, int direction, std::uint64_t limit) {
   }
   node->value = v;
   node->parent = static_cast<std::uint8_t>(opposite(direction));
-  at = around(x_of(p), y_of(p));
+  at = {node, x_of(p), y_of(p), &cells_.offsets(x_of(p), y_of(p))};
+  cells_.fill_around(at.x, at.y, *source_);
   return true;
 }
 

@@ -110,8 +110,8 @@ class Potential {
   struct Around {
     Node* node;
     int x, y;
-    std::array<std::ptrdiff_t, 8> offsets;
-    Node& next(int d) const { return node[offsets[static_cast<std::size_t>(d)]]; }
+    const PotentialCells::Offsets* offsets;
+    Node& next(int d) const { return node[(*offsets)[static_cast<std::size_t>(d)]]; }
     std::uint8_t cost(int d) const { return next(d).cost; }
     Packed packed(int d) const {
       return pack(x + kDx[static_cast<std::size_t>(d)], y + kDy[static_cast<std::size_t>(d)]);
