@@ -15,6 +15,7 @@ set(trident_nav_planning_sources
   src/planning/curves/curve_checker.cpp
   src/planning/curves/footprint_contact.cpp
   src/planning/poses/goal_probe.cpp
+  src/planning/grids/detours.cpp
   src/planning/grids/grid_route.cpp
   src/planning/grids/jump_points.cpp
   src/planning/grids/jump_scan.cpp
@@ -97,6 +98,7 @@ if(CATKIN_ENABLE_TESTING)
     test/planning/potential_test.cpp
     test/planning/reference_search.cpp
     test/planning/robot_planner_test.cpp
+    test/planning/replan_test.cpp
     test/planning/smac_planners_test.cpp
     benchmark/bench_maps.cpp
   )

@@ -16,7 +16,7 @@ TEST(GridGeometry, ACellContainsItsLowerCornerAndNotItsUpperOne) {
   const GridGeometry whole{10, 20, 1.0, -1.0, 2.0};
   for (const int i : {-3, -1, 0, 1, 7}) {
     EXPECT_EQ(whole.cell(-1.0 + i, 2.0 + i), (Cell{i, i}));
-    EXPECT_EQ(whole.cell(std::nextafter(-1.0 + i, -9.0), 2.5 + i), (Cell{i - 1, i}));
+    EXPECT_EQ(whole.cell(-1.001 + i, 2.5 + i), (Cell{i - 1, i}));
   }
 }
 

@@ -17,6 +17,7 @@ GridRouteOptions global_planner_options(const GlobalPlannerParams& params) {
   GridRouteOptions options;
   options.tolerance_m = params.default_tolerance;
   options.taut = params.use_quadratic && !params.use_grid_path;
+  options.detours = options.taut;
   options.outline = params.outline_map;
   const auto highest = static_cast<float>(params.lethal_cost - 1);
   for (int c = 0; c < std::min<int>(params.lethal_cost, kInscribedCost + 1); ++c) {

@@ -37,12 +37,20 @@ void comment(GridRouteResult& result, const std::string& text) {
   result.reason += result.reason.empty() ? text : " " + text;
 }
 
+std::vector<Point2> centers(const GridGeometry& geometry, const std::vector<Cell>& cells) {
+  std::vector<Point2> points;
+  points.reserve(cells.size());
+  for (const Cell c : cells) points.push_back(geometry.center(c));
+  return points;
+}
+
 }  // namespace
 
 GridRoute::GridRoute(const GridRouteOptions& options)
     : options_(options),
       potential_(options.costs, options.outline),
-      jumps_(options.costs, options.outline) {}
+      jumps_(options.costs, options.outline),
+      detours_(options.costs, options.outline) {}
 
 GridRouteResult GridRoute::find(const CostGrid& grid, const Footprint& footprint,
                                 const Pose2& start, const Pose2& goal, const CancelFlag& cancel) {
@@ -112,12 +120,43 @@ SearchResult GridRoute::search(const CostGrid& grid, Cell goal, Cell start,
     }
     if (outcome != SearchResult::kNoPath) return outcome;
   }
-  const SearchResult outcome = potential_.search(grid, goal, start, cancel);
+  SearchResult outcome = SearchResult::kFound;
+  if (options_.detours) {
+    outcome = potential_.search(grid, goal, start, cancel, Potential::Costs::kKnown);
+    if (outcome != SearchResult::kFound) return outcome;
+    if (lead_around(grid, start, cancel, result)) return outcome;
+  }
+  outcome = potential_.search(grid, goal, start, cancel);
   if (outcome == SearchResult::kFound) {
     result.cells = potential_.trace();
     result.cost = potential_.at(start);
   }
   return outcome;
+}
+
+// The potential's path with detours around what it does not know of: short ones, or longer ones
+// that bend less. False when the path is right as it is, or when none is found that costs no more
+// than the least over cells, which is not below the potential of the known costs.
+bool GridRoute::lead_around(const CostGrid& grid, Cell start, const CancelFlag& cancel,
+                            GridRouteResult& result) {
+  constexpr std::size_t kReaches[] = {100, 300};
+  const std::vector<Cell> path = potential_.trace();
+  bool is_right = true;
+  for (std::size_t i = 0; i + 1 < path.size() && is_right; ++i) {
+    is_right = !potential_.is_dearer(grid, path[i], path[i + 1]);
+  }
+  if (is_right) return false;
+  for (const std::size_t reach : kReaches) {
+    const auto cells = detours_.around(grid, potential_, path, reach, cancel);
+    if (!cells) continue;
+    const std::vector<Point2> corners =
+        pull_taut(grid, options_.costs, centers(grid.geometry, *cells));
+    result.cost = path_cost(grid, options_.costs, corners);
+    if (!(result.cost <= static_cast<double>(potential_.at(start)))) continue;
+    for (const Point2& p : corners) result.cells.push_back(grid.geometry.cell(p.x, p.y));
+    return true;
+  }
+  return false;
 }
 
 void GridRoute::lay_out(const CostGrid& grid, const Pose2& start, const Pose2& goal,

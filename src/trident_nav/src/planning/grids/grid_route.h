@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "planning/grids/detours.h"
 #include "planning/grids/jump_points.h"
 #include "planning/grids/potential.h"
 #include "planning/grids/step_costs.h"
@@ -20,6 +21,9 @@ struct GridRouteOptions {
   double tolerance_m = 0.0;  ///< A pose this close to the goal will do [m].
   bool taut = true;          ///< Straight lines where they cost no more than the cells.
   bool outline = false;      ///< Cells along the grid's border are blocked.
+  /// Obstacles that have come onto a kept potential's path are led around where they are, as long as
+  /// the path, pulled taut, costs no more than the least over cells. Needs `taut`.
+  bool detours = false;
   /// Jump points where all free cells cost the same. The potential is not kept then.
   bool jumps = false;
 };
@@ -29,10 +33,11 @@ struct GridRouteResult {
   std::vector<Point2> points;
   std::size_t first_free =
       0;                    ///< Of the points: the first that lies in a cell that is not blocked.
-  std::vector<Cell> cells;  ///< From the start, or the end of its escape, to the goal.
+  /// From the start, or the end of its escape, to the goal; with detours only where it turns.
+  std::vector<Cell> cells;
   std::string reason;       ///< A comment on the success, or why there is no route.
   Failure failure = Failure::kNone;
-  double cost = 0.0;  ///< Of the cells, in step costs.
+  double cost = 0.0;  ///< Of the cells, or with detours of the taut path over them, in step costs.
 };
 
 /// Routes over the 8-neighbor graph of cells: checks the request, leaves a blocked start, tries
@@ -51,12 +56,15 @@ class GridRoute {
                                  const CancelFlag& cancel, GridRouteResult& result);
   SearchResult search(const CostGrid& grid, Cell goal, Cell start, const CancelFlag& cancel,
                       GridRouteResult& result);
+  bool lead_around(const CostGrid& grid, Cell start, const CancelFlag& cancel,
+                   GridRouteResult& result);
   void lay_out(const CostGrid& grid, const Pose2& start, const Pose2& goal,
                const std::vector<Cell>& escape, GridRouteResult& result) const;
 
   GridRouteOptions options_;
   Potential potential_;
   JumpPoints jumps_;
+  Detours detours_;
 };
 
 /// A route as a planner's outcome: poses at the grid's resolution, headings along the path, the

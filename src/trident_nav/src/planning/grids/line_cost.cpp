@@ -143,6 +143,14 @@ double line_cost(const CostGrid& grid, const StepCosts& costs, Point2 from, Poin
   return LineWalk(grid, costs, from, to).integral(limit);
 }
 
+double path_cost(const CostGrid& grid, const StepCosts& costs, const std::vector<Point2>& points) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    sum += line_cost(grid, costs, points[i - 1], points[i]);
+  }
+  return sum;
+}
+
 std::vector<Point2> pull_taut(const CostGrid& grid, const StepCosts& costs,
                               const std::vector<Point2>& points) {
   if (points.size() < 3) return points;

@@ -15,6 +15,9 @@ namespace trident::nav {
 double line_cost(const CostGrid& grid, const StepCosts& costs, Point2 from, Point2 to,
                  double limit = StepCosts::kBlocked);
 
+/// The sum of the line costs between consecutive points.
+double path_cost(const CostGrid& grid, const StepCosts& costs, const std::vector<Point2>& points);
+
 /// Replaces runs of points by straight lines wherever that does not raise the integral of the step
 /// cost. The first and last points stay. The lines between consecutive points must be free.
 std::vector<Point2> pull_taut(const CostGrid& grid, const StepCosts& costs,

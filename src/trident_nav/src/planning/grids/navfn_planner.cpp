@@ -16,6 +16,7 @@ constexpr float kHighest = 253.0F;
 GridRouteOptions navfn_options(double tolerance_m, bool allow_unknown) {
   GridRouteOptions options;
   options.tolerance_m = tolerance_m;
+  options.detours = true;
   for (int c = 0; c < kInscribedCost; ++c) {
     options.costs.step[c] = kNeutral + kFactor * static_cast<float>(c);
   }

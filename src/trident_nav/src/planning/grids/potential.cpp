@@ -9,7 +9,7 @@ namespace trident::nav {
 Potential::Potential(const StepCosts& costs, bool outline) : costs_(costs), cells_(outline) {}
 
 Potential::Result Potential::search(const CostGrid& grid, Cell goal, Cell start,
-                                    const CancelFlag& cancel) {
+                                    const CancelFlag& cancel, Costs costs) {
   source_ = &grid;
   const Cell goal_inside{goal.x + 1, goal.y + 1};
   const Cell start_inside{start.x + 1, start.y + 1};
@@ -23,11 +23,11 @@ Potential::Result Potential::search(const CostGrid& grid, Cell goal, Cell start,
     begin(goal_inside, start_inside);
   }
   if (kept) take_changes();
-  Result result = run(cancel);
+  Result result = run(cancel, costs);
   while (result == Result::kNoPath && status_.is_too_long && steps_.least_straight > 64) {
     scale_.coarser *= 16.0;
     begin(goal_inside, start_inside);
-    result = run(cancel);
+    result = run(cancel, costs);
   }
   revision_ = grid.revision;
   expanded_.total += expanded_.now;
@@ -109,8 +109,9 @@ void Potential::aim(Cell start) {
 }
 
 // A path over cells that have become dearer is searched again, with what they cost now.
-Potential::Result Potential::run(const CancelFlag& cancel) {
+Potential::Result Potential::run(const CancelFlag& cancel, Costs costs) {
   Result result = run_on_known_costs(cancel);
+  if (costs == Costs::kKnown) return result;
   while (result == Result::kFound && raise_under_path()) result = run_on_known_costs(cancel);
   return result;
 }
@@ -157,7 +158,7 @@ void Potential::prefetch(Packed p) const {
 
 Potential::Around Potential::around(int x, int y) {
   cells_.fill_around(x, y, *source_);
-  return {&cells_[cells_.index(x, y)], x, y, cells_.offsets(x, y)};
+  return {&cells_[cells_.index(x, y)], x, y, &cells_.offsets(x, y)};
 }
 
 // Goes on straight ahead without the queue as long as keys stay below the limit: what comes next is
@@ -193,7 +194,8 @@ bool Potential::advance(Around& at, int direction, std::uint64_t limit) {
   }
   node->value = v;
   node->parent = static_cast<std::uint8_t>(opposite(direction));
-  at = around(x_of(p), y_of(p));
+  at = {node, x_of(p), y_of(p), &cells_.offsets(x_of(p), y_of(p))};
+  cells_.fill_around(at.x, at.y, *source_);
   return true;
 }
 

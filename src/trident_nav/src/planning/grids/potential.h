@@ -35,13 +35,20 @@ namespace trident::nav {
 class Potential {
  public:
   using Result = SearchResult;
+  /// Which costs a search is about: the grid's, or those that are known, none of which is dearer.
+  enum class Costs { kOfGrid, kKnown };
 
   /// `outline`: the cells along the border of the grid are blocked.
   explicit Potential(const StepCosts& costs, bool outline = false);
 
   /// Searches until the potential at `start` is exact. Both cells lie in the grid; the goal's own
-  /// cost is of no influence. The grid's sides have at most 65,000 cells.
-  Result search(const CostGrid& grid, Cell goal, Cell start, const CancelFlag& cancel);
+  /// cost is of no influence. The grid's sides have at most 65,000 cells. With known costs alone
+  /// the potential is not above that in the grid, and the path may lead over blocked cells.
+  Result search(const CostGrid& grid, Cell goal, Cell start, const CancelFlag& cancel,
+                Costs costs = Costs::kOfGrid);
+  /// Whether a step of a path enters or passes cells that are dearer in the grid than is known. The
+  /// path is one of `trace`.
+  bool is_dearer(const CostGrid& grid, Cell from, Cell to) const;
 
   /// The potential in step costs; infinite where nothing is known. Exact at the last start; away
   /// from its path it may not know yet of cells that became dearer.
@@ -103,8 +110,8 @@ class Potential {
   struct Around {
     Node* node;
     int x, y;
-    std::array<std::ptrdiff_t, 8> offsets;
-    Node& next(int d) const { return node[offsets[static_cast<std::size_t>(d)]]; }
+    const PotentialCells::Offsets* offsets;
+    Node& next(int d) const { return node[(*offsets)[static_cast<std::size_t>(d)]]; }
     std::uint8_t cost(int d) const { return next(d).cost; }
     Packed packed(int d) const {
       return pack(x + kDx[static_cast<std::size_t>(d)], y + kDy[static_cast<std::size_t>(d)]);
@@ -128,7 +135,7 @@ class Potential {
   void begin(Cell goal, Cell start);
   void choose_scale(double coarser);
   void aim(Cell start);
-  Result run(const CancelFlag& cancel);
+  Result run(const CancelFlag& cancel, Costs costs);
   Result run_on_known_costs(const CancelFlag& cancel);
   void expand_run(Packed p, std::uint64_t limit);
   bool advance(Around& at, int direction, std::uint64_t limit);
@@ -145,7 +152,7 @@ class Potential {
 
   void take_changes();
   void take_costs(const Cells& cells);
-  bool is_dearer(int x, int y) const;
+  bool is_dearer_at(const CostGrid& grid, int x, int y) const;
   bool raise_under_path();
   bool raise_about(Cell c);
   bool invalidate(const Cells& dearer, Cells& invalid);

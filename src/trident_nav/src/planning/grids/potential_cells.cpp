@@ -8,6 +8,8 @@
 #include <cstring>
 #include <new>
 
+#include "costmap/byte_rows.h"
+
 namespace trident::nav {
 namespace {
 
@@ -15,6 +17,43 @@ namespace {
 /// processor to remember where all small ones lie.
 constexpr std::size_t kLarge = std::size_t{1} << 23U;
 constexpr std::size_t kLargePage = std::size_t{1} << 21U;
+
+constexpr int kSide = PotentialCells::kSide;
+constexpr int kStep = sizeof(Bytes);
+
+/// Of a row of a square, whether a cell and those beside it are equal; not for the first and the
+/// last cell.
+struct EqualRow {
+  explicit EqualRow(const std::uint8_t* row) {
+    for (int k = 0; k < kSide / kStep; ++k) {
+      const std::uint8_t* from = row + k * kStep;
+      const Bytes here = load_bytes(from);
+      cells[k] = (here == load_bytes(from - 1)) & (here == load_bytes(from + 1));
+    }
+  }
+  Bytes cells[kSide / kStep];
+};
+
+/// Whether the nine cells about a cell are equal, for those that are not along the sides of a
+/// square. A byte before the costs and one behind them are read.
+void mark_even(const std::uint8_t* costs, std::uint8_t* even) {
+  EqualRow below(costs), own(costs + kSide);
+  for (int y = 1; y < kSide - 1; ++y) {
+    const std::uint8_t* row = costs + y * kSide;
+    const EqualRow above(row + kSide);
+    for (int k = 0; k < kSide / kStep; ++k) {
+      const std::uint8_t* from = row + k * kStep;
+      const Bytes here = load_bytes(from);
+      const auto column =
+          (here == load_bytes(from - kSide)) & (here == load_bytes(from + kSide));
+      store_bytes(even + y * kSide + k * kStep,
+                  below.cells[k] & own.cells[k] & above.cells[k] & column);
+    }
+    even[y * kSide] = even[y * kSide + kSide - 1] = 0;
+    below = own;
+    own = above;
+  }
+}
 
 }  // namespace
 
@@ -40,10 +79,23 @@ void PotentialCells::reset(const GridGeometry& geometry) {
     nodes_.reset();
     costs_.reset();
     nodes_ = make_array<Node>(needed);
-    costs_ = make_array<std::uint8_t>(needed);
+    costs_ = make_array<std::uint8_t>(needed + 2 * kMargin);
     allocated_ = needed;
   }
   is_filled_.assign(columns_ * rows_, 0);
+  for (std::size_t i = 0; i < offsets_.size(); ++i) offsets_[i] = offsets_at(i % 3, i / 3);
+}
+
+PotentialCells::Offsets PotentialCells::offsets_at(std::size_t column_side,
+                                                   std::size_t row_side) const {
+  constexpr std::ptrdiff_t kAcross = static_cast<std::ptrdiff_t>(kNodes) - (kSide - 1);
+  const std::ptrdiff_t up =
+      static_cast<std::ptrdiff_t>(columns_ * kNodes) - std::ptrdiff_t{kSide} * (kSide - 1);
+  const std::ptrdiff_t east = column_side == 2 ? kAcross : 1;
+  const std::ptrdiff_t west = column_side == 0 ? -kAcross : -1;
+  const std::ptrdiff_t north = row_side == 2 ? up : kSide;
+  const std::ptrdiff_t south = row_side == 0 ? -up : -kSide;
+  return {east, north, west, south, north + east, north + west, south + west, south + east};
 }
 
 void PotentialCells::fill_neighbors(int x, int y, const CostGrid& grid) {
@@ -56,7 +108,7 @@ void PotentialCells::fill(int x, int y, const CostGrid& grid) {
   const std::size_t number = square(x, y);
   if (is_filled_[number] != 0) return;
   is_filled_[number] = 1;
-  std::uint8_t* costs = &costs_[number * kNodes];
+  std::uint8_t* costs = &costs_[kMargin + number * kNodes];
   std::memset(costs, kLethalCost, kNodes);
   const int x0 = x / kSide * kSide, y0 = y / kSide * kSide;
   const int from = std::max(x0, first());
@@ -67,32 +119,11 @@ void PotentialCells::fill(int x, int y, const CostGrid& grid) {
                 grid.cost + geometry_.index({from - 1, row - 1}),
                 static_cast<std::size_t>(to - from));
   }
+  std::array<std::uint8_t, kNodes> even{};
+  mark_even(costs, even.data());
   Node* nodes = &nodes_[number * kNodes];
-  for (std::size_t i = 0; i < kNodes; ++i) nodes[i] = {kUnreached, costs[i], kNoParent, false, false};
-  mark_even(number);
-}
-
-void PotentialCells::mark_even(std::size_t square) {
-  const std::uint8_t* costs = &costs_[square * kNodes];
-  Node* nodes = &nodes_[square * kNodes];
-  std::array<std::array<bool, kSide>, 3> rows{};  // Whether a cell and both beside it are equal.
-  const auto compare_row = [&](int y) {
-    const std::uint8_t* row = costs + y * kSide;
-    for (int x = 1; x < kSide - 1; ++x) {
-      rows[static_cast<std::size_t>(y % 3)][static_cast<std::size_t>(x)] =
-          (row[x] == row[x - 1]) & (row[x] == row[x + 1]);
-    }
-  };
-  compare_row(0);
-  compare_row(1);
-  for (int y = 1; y < kSide - 1; ++y) {
-    compare_row(y + 1);
-    const std::uint8_t* row = costs + y * kSide;
-    for (int x = 1; x < kSide - 1; ++x) {
-      const auto column = static_cast<std::size_t>(x);
-      nodes[y * kSide + x].is_even = rows[0][column] & rows[1][column] & rows[2][column] &
-                                     (row[x] == row[x - kSide]) & (row[x] == row[x + kSide]);
-    }
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    nodes[i] = {kUnreached, costs[i], kNoParent, false, even[i] != 0};
   }
 }
 
@@ -113,7 +144,7 @@ bool PotentialCells::is_even_at(const Node* node) const {
 
 void PotentialCells::set_cost(int x, int y, std::uint8_t cost) {
   const std::size_t i = index(x, y);
-  nodes_[i].cost = costs_[i] = cost;
+  nodes_[i].cost = costs_[kMargin + i] = cost;
   const int column = x % kSide, row = y % kSide;
   for (int r = std::max(1, row - 1); r <= std::min(kSide - 2, row + 1); ++r) {
     for (int c = std::max(1, column - 1); c <= std::min(kSide - 2, column + 1); ++c) {

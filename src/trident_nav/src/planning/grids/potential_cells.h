@@ -48,8 +48,9 @@ class PotentialCells {
   const Node& operator[](std::size_t index) const { return nodes_[index]; }
   /// Whether the square of a cell has been filled.
   bool is_filled(int x, int y) const { return is_filled_[square(x, y)] != 0; }
-  /// What the index of a neighbor differs by from that of a cell within the rim, by direction.
-  std::array<std::ptrdiff_t, 8> offsets(int x, int y) const;
+  /// By direction, what the index of a neighbor differs by from that of a cell within the rim.
+  using Offsets = std::array<std::ptrdiff_t, 8>;
+  const Offsets& offsets(int x, int y) const { return offsets_[3 * side_of(y) + side_of(x)]; }
   /// Fills the squares of a cell and of its neighbors.
   void fill_around(int x, int y, const CostGrid& grid) {
     if (is_inner(x) && is_inner(y)) return;
@@ -72,6 +73,7 @@ class PotentialCells {
 
  private:
   static constexpr std::size_t kNodes = std::size_t{kSide} * kSide;
+  static constexpr std::size_t kMargin = 64;  ///< Bytes before and behind the costs.
   struct Free {
     void operator()(void* memory) const;
   };
@@ -84,6 +86,12 @@ class PotentialCells {
     const unsigned within = static_cast<unsigned>(coordinate) % kSide;
     return within != 0 && within != kSide - 1;
   }
+  /// 0: at the lower side of its square, 2: at the upper one, 1: between them.
+  static std::size_t side_of(int coordinate) {
+    const unsigned within = static_cast<unsigned>(coordinate) % kSide;
+    return (within != 0 ? 1U : 0U) + (within == kSide - 1 ? 1U : 0U);
+  }
+  Offsets offsets_at(std::size_t column_side, std::size_t row_side) const;
   std::size_t square(int x, int y) const {
     return static_cast<std::size_t>(y) / kSide * columns_ + static_cast<std::size_t>(x) / kSide;
   }
@@ -91,7 +99,6 @@ class PotentialCells {
   int first() const { return outline_ ? 2 : 1; }
   int end(int length) const { return outline_ ? length : length + 1; }
   void fill_neighbors(int x, int y, const CostGrid& grid);
-  void mark_even(std::size_t square);
   bool is_even_at(const Node* node) const;
   template <class Visit>
   void compare(int column, int row, const CostGrid& grid, std::uint64_t revision,
@@ -100,24 +107,12 @@ class PotentialCells {
   bool outline_;
   GridGeometry geometry_;
   std::size_t columns_ = 0, rows_ = 0;  ///< Of squares.
+  std::array<Offsets, 9> offsets_{};    ///< By the sides of its square that a cell is at.
   std::size_t allocated_ = 0;           ///< Nodes.
   Array<Node> nodes_;
-  Array<std::uint8_t> costs_;  ///< Those of the nodes once more, for comparisons.
+  Array<std::uint8_t> costs_;  ///< Those of the nodes once more, after kMargin bytes.
   std::vector<std::uint8_t> is_filled_;
 };
-
-inline std::array<std::ptrdiff_t, 8> PotentialCells::offsets(int x, int y) const {
-  constexpr std::ptrdiff_t kAcross = static_cast<std::ptrdiff_t>(kNodes) - (kSide - 1);
-  const std::ptrdiff_t up =
-      static_cast<std::ptrdiff_t>(columns_ * kNodes) - std::ptrdiff_t{kSide} * (kSide - 1);
-  const unsigned column = static_cast<unsigned>(x) % kSide;
-  const unsigned row = static_cast<unsigned>(y) % kSide;
-  const std::ptrdiff_t east = column == kSide - 1 ? kAcross : 1;
-  const std::ptrdiff_t west = column == 0 ? -kAcross : -1;
-  const std::ptrdiff_t north = row == kSide - 1 ? up : kSide;
-  const std::ptrdiff_t south = row == 0 ? -up : -kSide;
-  return {east, north, west, south, north + east, north + west, south + west, south + east};
-}
 
 template <class Visit>
 void PotentialCells::compare(int column, int row, const CostGrid& grid, std::uint64_t revision,
@@ -130,7 +125,7 @@ void PotentialCells::compare(int column, int row, const CostGrid& grid, std::uin
   const int last = std::min(y0 + kSide, end(geometry_.height));
   for (int y = std::max(y0, first()); y < last; ++y) {
     if (grid.row_revisions != nullptr && grid.row_revisions[y - 1] <= revision) continue;
-    const std::uint8_t* kept = &costs_[index(from, y)];
+    const std::uint8_t* kept = &costs_[kMargin + index(from, y)];
     const std::uint8_t* now = grid.cost + geometry_.index({from - 1, y - 1});
     if (std::equal(kept, kept + (to - from), now)) continue;
     for (int x = from; x < to; ++x) {

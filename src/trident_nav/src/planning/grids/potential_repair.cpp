@@ -35,9 +35,16 @@ void Potential::take_costs(const Cells& cells) {
   for (const Packed p : cells) reopen_around(p);
 }
 
-bool Potential::is_dearer(int x, int y) const {
+bool Potential::is_dearer_at(const CostGrid& grid, int x, int y) const {
   const std::uint8_t known = cells_[cells_.index(x, y)].cost;
-  return straight(cells_.cost_in(*source_, x, y)) > straight(known);
+  return straight(cells_.cost_in(grid, x, y)) > straight(known);
+}
+
+bool Potential::is_dearer(const CostGrid& grid, Cell from, Cell to) const {
+  const Cell a{from.x + 1, from.y + 1};
+  const Cell b{to.x + 1, to.y + 1};
+  return is_dearer_at(grid, a.x, a.y) || is_dearer_at(grid, a.x, b.y) ||
+         is_dearer_at(grid, b.x, a.y);
 }
 
 // Takes the dearer costs about those cells of the start's path, and next to its diagonal steps,
@@ -47,11 +54,9 @@ bool Potential::raise_under_path() {
   bool has_raised = false;
   const std::vector<Cell> path = trace();
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const Cell a{path[i].x + 1, path[i].y + 1};
-    const Cell b{path[i + 1].x + 1, path[i + 1].y + 1};
-    if (!is_dearer(a.x, a.y) && !is_dearer(a.x, b.y) && !is_dearer(b.x, a.y)) continue;
+    if (!is_dearer(*source_, path[i], path[i + 1])) continue;
     has_raised = true;
-    if (raise_about(a)) continue;
+    if (raise_about({path[i].x + 1, path[i].y + 1})) continue;
     begin(ends_.goal, ends_.start);
     break;
   }
@@ -62,7 +67,7 @@ bool Potential::raise_under_path() {
 bool Potential::raise_about(Cell c) {
   Cells dearer;
   cells_.for_each_difference_near(c.x, c.y, *source_, [&](int x, int y) {
-    if (is_dearer(x, y)) dearer.push_back(pack(x, y));
+    if (is_dearer_at(*source_, x, y)) dearer.push_back(pack(x, y));
   });
   Cells invalid;
   if (!invalidate(dearer, invalid)) return false;
