@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // nav_plan MAP.yaml X,Y,YAW X,Y,YAW [--planner NAME] [--params YAML] [--costmap YAML]
-// [--turning-radius M] [--grid FILE.pgm] [--controller NAME [--controller-params YAML] [--speed V]]:
-// plans on a map and prints the outcome as JSON; --grid gets the costmap's bytes, row 0 at the
+// [--turning-radius M] [--grid FILE.pgm] [--controller NAME [--controller-params YAML] [--speed
+// V]]: plans on a map and prints the outcome as JSON; --grid gets the costmap's bytes, row 0 at the
 // bottom; with --controller the JSON has what that weighs at the start of the path, for a robot
 // that already drives at that speed. Exits with 0 when there is a path, with 1 when
 // there is not, with 2 when the input is wrong.

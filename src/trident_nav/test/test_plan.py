@@ -65,7 +65,7 @@ def test_the_paths_of_all_planners_are_drawn_on_one_map(
     assert set(json.loads(poses.read_text(encoding="utf-8"))) == set(plan.PLANNERS)
     with Image.open(out) as image:
         found = image.convert("RGB").getcolors(1 << 20) or []
-        colors = {"#%02x%02x%02x" % color for _, color in found}
+        colors = {"#{:02x}{:02x}{:02x}".format(*color) for _, color in found}
         assert set(plan.PLANNERS.values()) <= colors
         single = image.width
     with Image.open(layers) as image:

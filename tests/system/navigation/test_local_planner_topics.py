@@ -7,13 +7,14 @@ from __future__ import annotations
 import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 import rospy
 from costmap_2d.msg import VoxelGrid
 from costmap_converter.msg import ObstacleArrayMsg, ObstacleMsg
 from geometry_msgs.msg import Point32, Polygon, PolygonStamped, PoseArray, PoseStamped, Twist
-from harness import Process, Ros, eventually, recorder
+from harness import Process, Recorder, Ros, eventually, recorder
 from move_base_msgs.msg import MoveBaseActionGoal
 from nav_msgs.msg import OccupancyGrid
 from nav_msgs.msg import Path as PathMessage
@@ -36,7 +37,8 @@ local_costmap: {{global_frame: odom, rolling_window: true, width: 4.0, height: 4
   plugins: [{{name: obstacle_layer, type: "costmap_2d::VoxelLayer"}},
     {{name: inflation_layer, type: "costmap_2d::InflationLayer"}}],
   obstacle_layer: {{publish_voxel_map: true, observation_sources: points, points:
-    {{data_type: PointCloud, topic: /points, marking: true, clearing: true, max_source_age: 0.0}}}}}}
+    {{data_type: PointCloud, topic: /points, marking: true, clearing: true,
+      max_source_age: 0.0}}}}}}
 """
 LIMITS = "max_vel_x: 0.4, acc_lim_x: 1.0, max_vel_theta: 1.0, acc_lim_theta: 2.0"
 PLUGINS = {
@@ -51,7 +53,7 @@ DWAPlannerROS: {{publish_traj_pc: true, publish_cost_grid_pc: true, {LIMITS}}}
 MPPIController: {{visualize: true, batch_size: 400, {LIMITS}}}
 """
 # Below the local planner's name: type, and what says that a message is not empty.
-Filled = Callable[[object], int]
+Filled = Callable[[Any], int]
 TOPICS: dict[str, dict[str, tuple[type, Filled]]] = {
     "teb": {
         "TebLocalPlannerROS/local_plan": (PathMessage, lambda m: len(m.poses)),
@@ -109,7 +111,11 @@ def test_what_a_local_planner_weighs_is_published(ros: Ros, tmp_path: Path, name
     send_goal(5.0)
     for topic, (kind, filled) in TOPICS[name].items():
         with recorder(f"/move_base/{topic}", kind) as heard:
-            eventually(lambda seen=heard, is_filled=filled: any(map(is_filled, seen.messages)), topic)
+
+            def is_filled(seen: Recorder = heard, fills: Filled = filled) -> bool:
+                return any(map(fills, seen.messages))
+
+            eventually(is_filled, topic)
     assert "ERROR" not in node.log, node.log
 
 
@@ -172,9 +178,7 @@ def test_bands_pass_the_via_points_of_a_message(ros: Ros, tmp_path: Path) -> Non
 
 
 @pytest.mark.usefixtures("robot")
-def test_a_footprint_of_another_node_replaces_the_one_of_the_file(
-    ros: Ros, tmp_path: Path
-) -> None:
+def test_a_footprint_of_another_node_replaces_the_one_of_the_file(ros: Ros, tmp_path: Path) -> None:
     node = start(ros, tmp_path, "dwa")
     topic = "/move_base/local_costmap/footprint"
     with recorder(topic, PolygonStamped) as footprints:

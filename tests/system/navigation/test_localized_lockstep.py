@@ -63,9 +63,7 @@ def drive(ros: Ros, start_gazebo: StartGazebo, room_map: Path, label: str) -> di
     """A drive to the goal, its results."""
     out_dir = fresh_folder(ros.folder / label)
     urdf = Path(package("trident_description")) / f"urdf/{ROBOT}.urdf.xacro"
-    description = xacro.process_file(
-        str(urdf), mappings={"odometry_source": "encoder"}
-    ).toxml()
+    description = xacro.process_file(str(urdf), mappings={"odometry_source": "encoder"}).toxml()
     for name in ("amcl", "move_base"):
         if rospy.has_param(name):
             rospy.delete_param(name)

@@ -108,8 +108,6 @@ def odometry(vx: float) -> Odometry:
     return message
 
 
-
-
 def stamped(message: object) -> object:
     message.header.stamp = rospy.Time.now()  # type: ignore[attr-defined]
     return message
@@ -216,7 +214,9 @@ def driven(ros: Ros, start_gazebo: Callable[..., Gazebo], folder: Path) -> tuple
     description = xacro.process_file(str(urdf), mappings={"command_timeout": "0.2"}).toxml()
     ros.set_param("/robot_description", description)
     gazebo = start_gazebo(
-        str(Path(package("trident_bringup")) / "worlds/room.world"), paused=False, real_time_factor=1.0
+        str(Path(package("trident_bringup")) / "worlds/room.world"),
+        paused=False,
+        real_time_factor=1.0,
     )
     gazebo.spawn(name, xml=description, at=pose(0.0, 0.0, 0.0), robot_namespace="/")
     ros.launch(["rosrun", "robot_state_publisher", "robot_state_publisher"])
@@ -251,7 +251,7 @@ def test_a_killed_move_base_leaves_a_robot_that_stands_and_can_be_started_again(
         (after, *_rest) = (m for m in truth.messages if m.header.stamp.to_sec() > killed_s + 0.5)
         assert speed(after) < 0.03, after.twist.twist
     again = ros.launch(["rosrun", "move_base", "move_base"])
-    eventually(lambda: client.get_state() == GoalStatus.LOST, "the client is told")
+    eventually(lambda: client.get_state() == GoalStatus.LOST, "the client knows")
     client = client_of(again)
     client.send_goal(goal_at(0.0))
     assert client.wait_for_result(rospy.Duration(LIMIT_S)), again.log

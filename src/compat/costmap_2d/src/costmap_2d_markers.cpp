@@ -44,8 +44,8 @@ std::string problem_of(const costmap_2d::VoxelGrid& grid) {
   }
   const std::size_t cells = std::size_t{grid.size_x} * grid.size_y;
   if (grid.data.size() == cells) return "";
-  return "data has " + std::to_string(grid.data.size()) + " columns, legal: size_x * size_y = " +
-         std::to_string(cells);
+  return "data has " + std::to_string(grid.data.size()) +
+         " columns, legal: size_x * size_y = " + std::to_string(cells);
 }
 
 visualization_msgs::Marker cubes_of(const costmap_2d::VoxelGrid& grid) {

@@ -66,8 +66,8 @@ void add_line(const ConsideredTrajectory& trajectory, visualization_msgs::Marker
 visualization_msgs::Marker points_marker(const std::vector<Point2>& points,
                                          const std_msgs::Header& header, const char* name_space,
                                          const Color& color) {
-  auto marker = make_marker(header, name_space, visualization_msgs::Marker::POINTS, kPointWidth_m,
-                            color);
+  auto marker =
+      make_marker(header, name_space, visualization_msgs::Marker::POINTS, kPointWidth_m, color);
   for (const Point2& p : points) marker.points.push_back(to_point(p.x, p.y));
   return marker;
 }

@@ -53,7 +53,8 @@ void ControlTopics::advertise(ros::NodeHandle& node, const std::string& plugin) 
     out_.teb_feedback = node.advertise<teb_local_planner::FeedbackMsg>("teb_feedback", 10);
   }
   const bool is_dwa = has_name(plugin, "DWAPlannerROS", "dwa");
-  if (is_dwa) out_.trajectory_cloud = node.advertise<sensor_msgs::PointCloud2>("trajectory_cloud", 1);
+  if (is_dwa)
+    out_.trajectory_cloud = node.advertise<sensor_msgs::PointCloud2>("trajectory_cloud", 1);
   if (is_dwa || has_name(plugin, "TrajectoryPlannerROS", "trajectory_planner")) {
     out_.cost_cloud = node.advertise<sensor_msgs::PointCloud2>("cost_cloud", 1);
   }
@@ -68,8 +69,8 @@ void ControlTopics::hear(ros::NodeHandle& node) {
       "obstacles", 1, [this](const costmap_converter::ObstacleArrayMsgConstPtr& message) {
         const std::string problem = obstacles_problem(*message, ros::Time::now());
         if (!problem.empty()) {
-          refusals_.note("obstacles", "obstacles on " + obstacles_in_.getTopic() +
-                                          " are not used: " + problem);
+          refusals_.note("obstacles",
+                         "obstacles on " + obstacles_in_.getTopic() + " are not used: " + problem);
           return;
         }
         const std::lock_guard lock(mutex_);
@@ -79,8 +80,8 @@ void ControlTopics::hear(ros::NodeHandle& node) {
       "via_points", 1, [this](const nav_msgs::PathConstPtr& message) {
         const std::string problem = via_points_problem(*message);
         if (!problem.empty()) {
-          refusals_.note("via_points", "points on " + via_points_in_.getTopic() +
-                                           " are not used: " + problem);
+          refusals_.note("via_points",
+                         "points on " + via_points_in_.getTopic() + " are not used: " + problem);
           return;
         }
         const std::lock_guard lock(mutex_);
@@ -121,8 +122,8 @@ std::optional<std::vector<Point2>> ControlTopics::via_points(double now_s) {
   if (!message) return std::nullopt;
   const std::string& id = message->header.frame_id;
   std::string problem;
-  const auto T_costmap_from = newest_pose(buffer_, frame_, id.empty() ? frame_ : frame_name(id),
-                                          now_s, INFINITY, &problem);
+  const auto T_costmap_from =
+      newest_pose(buffer_, frame_, id.empty() ? frame_ : frame_name(id), now_s, INFINITY, &problem);
   if (!T_costmap_from) {
     refusals_.note("transform",
                    "points on " + via_points_in_.getTopic() + " are not used: " + problem);

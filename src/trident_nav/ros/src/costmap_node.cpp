@@ -53,8 +53,8 @@ CostmapNode::CostmapNode(const ros::NodeHandle& node, const CostmapConfig& confi
   topics_.all = node_.advertise<nav_msgs::OccupancyGrid>("costmap", 1, true);
   topics_.parts = node_.advertise<map_msgs::OccupancyGridUpdate>("costmap_updates", 1);
   hear_footprints(config.params.footprint_topic, refusals);
-  topics_.footprint = node_.advertise<geometry_msgs::PolygonStamped>(
-      config.params.published_footprint_topic, 1);
+  topics_.footprint =
+      node_.advertise<geometry_msgs::PolygonStamped>(config.params.published_footprint_topic, 1);
   topics_.voxels = std::make_unique<VoxelTopics>(node_, *costmap_, frame_);
   inputs_.set_observation_listener(
       [this](const BeamSource& source, const Observation& observation) {
@@ -87,8 +87,8 @@ void CostmapNode::take_footprint(const geometry_msgs::Polygon& polygon,
     if (is_same(next, costmap_->footprint())) return;
     costmap_->set_footprint(next);
   } catch (const Error& error) {
-    refusals.note("footprint", "a footprint for " + node_.getNamespace() +
-                                   " is not used: " + error.what());
+    refusals.note("footprint",
+                  "a footprint for " + node_.getNamespace() + " is not used: " + error.what());
     return;
   }
   if (on_footprint) on_footprint();

@@ -45,8 +45,9 @@ std::string count_problem(const sensor_msgs::LaserScan& scan) {
   const double expected = std::round(steps) + 1.0;
   const double tolerated = std::max(2.0, 0.02 * expected);
   if (static_cast<double>(scan.ranges.size()) >= expected - tolerated) return "";
-  return "ranges has " + std::to_string(scan.ranges.size()) + " beams, legal: " +
-         number_text(expected) + ", as angle_min, angle_max and angle_increment say";
+  return "ranges has " + std::to_string(scan.ranges.size()) +
+         " beams, legal: " + number_text(expected) +
+         ", as angle_min, angle_max and angle_increment say";
 }
 
 // For texts: without the digits that a float does not have.

@@ -22,8 +22,7 @@ void PlanningThread::set_limits(const MotionLimits& limits) {
   limits_ = limits;
 }
 
-void PlanningThread::set_plan_listener(
-    std::function<void(const GridGeometry& geometry)> listener) {
+void PlanningThread::set_plan_listener(std::function<void(const GridGeometry& geometry)> listener) {
   const std::lock_guard lock(planner_mutex_);
   on_plan_ = std::move(listener);
 }

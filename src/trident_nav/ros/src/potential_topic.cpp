@@ -68,7 +68,8 @@ void PotentialTopic::publish(const PotentialSource* source, const GridGeometry& 
                              const std_msgs::Header& header) {
   if (source == nullptr || publisher_.getNumSubscribers() == 0) return;
   const PotentialDisplay display = source->display();
-  const std::vector<float> potential = display.is_wanted ? source->potential() : std::vector<float>{};
+  const std::vector<float> potential =
+      display.is_wanted ? source->potential() : std::vector<float>{};
   if (potential.size() != geometry.size()) return;
   if (is_cloud_) {
     publisher_.publish(potential_cloud(potential, geometry, header));

@@ -31,7 +31,7 @@ from trident_nav.core.programs import find_program
 _POSE = re.compile(r"-[\d.][^a-z]*")
 _LETHAL, _UNKNOWN, _INSCRIBED = 254, 255, 253
 ALL = "all"
-# Planners that find a way around obstacles, each with the color of its path.
+# Planners that plan around obstacles, each with the color of its path.
 PLANNERS = {
     "navfn/NavfnROS": "#d62728",
     "global_planner/GlobalPlanner": "#ff7f0e",
@@ -331,9 +331,7 @@ def draw(plan: Plan, poses: Sequence[Sequence[float]], scale: int) -> Image.Imag
     return canvas.image
 
 
-def draw_all(
-    plans: dict[str, Plan], poses: Sequence[Sequence[float]], scale: int
-) -> Image.Image:
+def draw_all(plans: dict[str, Plan], poses: Sequence[Sequence[float]], scale: int) -> Image.Image:
     """The paths of several planners on one costmap, with a legend."""
     canvas = Canvas(next(iter(plans.values())), scale)
     entries = {}

@@ -20,7 +20,7 @@ namespace {
 struct Shown {
   const char* law;
   const char* params;
-  bool has_many;   ///< More than the selected trajectory.
+  bool has_many;  ///< More than the selected trajectory.
   bool has_cells;
 };
 constexpr Shown kLaws[] = {
@@ -66,9 +66,8 @@ TEST(ControlDetails, ShowASelectedTrajectoryThatBeginsAtTheRobotAndLeadsForward)
     EXPECT_NEAR(points.front().pose.x, start.x, 1e-9);
     EXPECT_NEAR(points.front().pose.y, start.y, 1e-9);
     EXPECT_GT(points.back().pose.x, start.x + 0.05);
-    EXPECT_TRUE(std::is_sorted(points.begin(), points.end(), [](const auto& a, const auto& b) {
-      return a.after_s < b.after_s;
-    }));
+    EXPECT_TRUE(std::is_sorted(points.begin(), points.end(),
+                               [](const auto& a, const auto& b) { return a.after_s < b.after_s; }));
     EXPECT_EQ(details.trajectories.size() > 1, shown.has_many);
     EXPECT_EQ(!details.cells.empty(), shown.has_cells);
   }
@@ -86,9 +85,9 @@ TEST(ControlDetails, ChangeNoCommandAndAreEmptyWhenNobodyLooks) {
 
 TEST(ControlDetails, CellsScoreLessTowardsTheGoal) {
   const ControlDetails details = commanded(kLaws[1], {false, true}).details;
-  const auto [nearest, farthest] = std::minmax_element(
-      details.cells.begin(), details.cells.end(),
-      [](const CellScore& a, const CellScore& b) { return a.goal < b.goal; });
+  const auto [nearest, farthest] =
+      std::minmax_element(details.cells.begin(), details.cells.end(),
+                          [](const CellScore& a, const CellScore& b) { return a.goal < b.goal; });
   EXPECT_GT(nearest->center.x, farthest->center.x);
   EXPECT_LT(nearest->total, farthest->total);
 }

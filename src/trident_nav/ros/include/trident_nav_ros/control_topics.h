@@ -55,7 +55,7 @@ class ControlTopics {
   Publishers out_;
   ros::Subscriber obstacles_in_, via_points_in_;
   std::optional<double> published_s_;  ///< Of the command that was published last.
-  std::mutex mutex_;  // guards what follows
+  std::mutex mutex_;                   // guards what follows
   struct Heard {
     costmap_converter::ObstacleArrayMsgConstPtr obstacles;  ///< Not yet handed over.
     nav_msgs::PathConstPtr via_points;                      ///< The newest ones.

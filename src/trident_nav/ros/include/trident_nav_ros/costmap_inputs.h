@@ -48,8 +48,8 @@ class CostmapInputs {
   /// than itself by some milliseconds, and waits for scans that are to come by then as their
   /// sources' periods say. What is used does not depend on which message comes first.
   void set_lockstep() { is_lockstep_ = true; }
-  /// In lockstep, after a wait for it: the stamp of the newest scan that an update at `now_s` takes,
-  /// of the first source of scans; nothing: none has come.
+  /// In lockstep, after a wait for it: the stamp of the newest scan that an update at `now_s`
+  /// takes, of the first source of scans; nothing: none has come.
   std::optional<double> await_scan(double now_s);
 
   /// Hands over what has come, but for what tf does not reach yet. The costmap is locked.

@@ -20,7 +20,7 @@ namespace trident::nav {
 sensor_msgs::PointCloud2 potential_cloud(const std::vector<float>& potential,
                                          const GridGeometry& geometry,
                                          const std_msgs::Header& header);
-/// A potential as global_planner publishes it: 0 to `greatest`, -1 where there is none.
+/// A potential as global_planner publishes it: 0 to `greatest`, -1 where it is unknown.
 nav_msgs::OccupancyGrid potential_grid(const std::vector<float>& potential,
                                        const GridGeometry& geometry, int greatest,
                                        const std_msgs::Header& header);

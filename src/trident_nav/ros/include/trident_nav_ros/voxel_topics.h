@@ -40,24 +40,23 @@ using VoxelAdvertiser =
 template <class VoxelGrid>
 VoxelAdvertiser voxel_advertiser() {
   return [](ros::NodeHandle& node, const std::string& topic) {
-    return VoxelPublication{
-        node.advertise<VoxelGrid>(topic, 1),
-        [](const ros::Publisher& publisher, const VoxelView& voxels) {
-          VoxelGrid message;
-          message.header.frame_id = voxels.frame;
-          message.header.stamp.fromSec(voxels.stamp_s);
-          message.data = voxels.columns;
-          message.origin.x = static_cast<float>(voxels.geometry.origin_x);
-          message.origin.y = static_cast<float>(voxels.geometry.origin_y);
-          message.origin.z = static_cast<float>(voxels.params.origin_z);
-          message.resolutions.x = voxels.geometry.resolution;
-          message.resolutions.y = voxels.geometry.resolution;
-          message.resolutions.z = voxels.params.z_resolution;
-          message.size_x = static_cast<std::uint32_t>(voxels.geometry.width);
-          message.size_y = static_cast<std::uint32_t>(voxels.geometry.height);
-          message.size_z = static_cast<std::uint32_t>(voxels.params.z_voxels);
-          publisher.publish(message);
-        }};
+    return VoxelPublication{node.advertise<VoxelGrid>(topic, 1),
+                            [](const ros::Publisher& publisher, const VoxelView& voxels) {
+                              VoxelGrid message;
+                              message.header.frame_id = voxels.frame;
+                              message.header.stamp.fromSec(voxels.stamp_s);
+                              message.data = voxels.columns;
+                              message.origin.x = static_cast<float>(voxels.geometry.origin_x);
+                              message.origin.y = static_cast<float>(voxels.geometry.origin_y);
+                              message.origin.z = static_cast<float>(voxels.params.origin_z);
+                              message.resolutions.x = voxels.geometry.resolution;
+                              message.resolutions.y = voxels.geometry.resolution;
+                              message.resolutions.z = voxels.params.z_resolution;
+                              message.size_x = static_cast<std::uint32_t>(voxels.geometry.width);
+                              message.size_y = static_cast<std::uint32_t>(voxels.geometry.height);
+                              message.size_z = static_cast<std::uint32_t>(voxels.params.z_voxels);
+                              publisher.publish(message);
+                            }};
   };
 }
 

@@ -137,8 +137,8 @@ void TrajectorySearch::note(const Situation& situation, const Candidate& candida
   trajectory.cost = cost;
   trajectory.points.push_back({0.0, situation.state.pose, candidate.twist});
   for (int step = 0; step <= candidate.last; ++step) {
-    trajectory.points.push_back({model_.dt_s * (step + 1),
-                                 candidate.pose(situation.state.pose, step), candidate.twist});
+    trajectory.points.push_back(
+        {model_.dt_s * (step + 1), candidate.pose(situation.state.pose, step), candidate.twist});
   }
   situation.details->trajectories.push_back(std::move(trajectory));
 }

@@ -43,8 +43,8 @@ class TrajectorySearch {
   /// The sample of the least score; nothing if each is in contact or forbidden.
   std::optional<RatedTwist> best(const std::vector<Twist2>& samples, const DwaScene& scene,
                                  const TrajectoryCritics& critics);
-  /// Notes the trajectory of what was chosen, at a speed that may be another sample's, and the cells
-  /// of the last begin(), as far as somebody watches.
+  /// Notes the trajectory of what was chosen, at a speed that may be another sample's, and the
+  /// cells of the last begin(), as far as somebody watches.
   void describe(const Twist2& chosen, const DwaScene& scene, const SearchDisplay& display);
 
   /// begin() and best(), and the critics are notified of what was chosen.

@@ -149,8 +149,8 @@ void MppiOptimizer::describe(const Pose2& start, const TrajectoryVisualizerParam
                              std::vector<ConsideredTrajectory>* noted) const {
   const auto every = static_cast<std::size_t>(shown.trajectory_step);
   for (std::size_t i = 0; i < costs_.size(); i += every) {
-    noted->push_back(
-        trajectory_of(kept_sample(i), start, model_.dt_s, static_cast<std::size_t>(shown.time_step)));
+    noted->push_back(trajectory_of(kept_sample(i), start, model_.dt_s,
+                                   static_cast<std::size_t>(shown.time_step)));
     noted->back().cost = static_cast<double>(costs_[i]);
   }
 }
