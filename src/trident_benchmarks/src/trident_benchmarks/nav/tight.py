@@ -11,7 +11,7 @@ import argparse
 import math
 import tempfile
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +19,7 @@ import numpy as np
 
 from trident_benchmarks.nav.box_robot import BOX, LENGTH_M, WIDTH_M, limits_file
 from trident_benchmarks.nav.goals import Pose
+from trident_benchmarks.nav.limits import RobotLimits
 from trident_benchmarks.nav.office import chosen_robots
 from trident_benchmarks.nav.trials import CAR, Outcome, Robot, Task, Trials, default_parameters
 from trident_benchmarks.results import say
@@ -211,6 +212,15 @@ def task_of(scene: Scene, seed: int) -> tuple[Task, Scenery]:
     return task, scenery
 
 
+def judged(run: Outcome, limits: RobotLimits) -> Outcome:
+    """A run whose goal was reached only in the robot's own view is missed."""
+    goal = run.goals[-1]
+    off_m, off_rad = goal.position_error_m, goal.heading_error_rad
+    if not run.is_success or (off_m <= limits.tolerance_m and off_rad <= limits.tolerance_rad):
+        return run
+    return replace(run, end="missed", text=f"off by {off_m:.3f} m, {off_rad:.3f} rad")
+
+
 def row_of(scene: Scene, runs: Sequence[Outcome]) -> dict[str, Any]:
     """What came of all seeds of a scene."""
     reached = [run for run in runs if run.is_success]
@@ -257,18 +267,21 @@ def drive_scene(
     parameters = default_parameters(scene.robot)
     if scene.robot is BOX:
         parameters[-1] = limits_file(folder)
+    limits = RobotLimits(parameters[-1])
     if scene.limits:
         over = folder / "limits.yaml"
         over.write_text(scene.limits, encoding="utf-8")
         parameters.append(over)
     trials = Trials(scene.robot, [*parameters, *options.config], options.jobs)
     outcomes = trials.run([task for task, _ in drawn], [1], _report)
-    return [run for one in outcomes for run in one], [scenery for _, scenery in drawn]
+    runs = [judged(run, limits) for one in outcomes for run in one]
+    return runs, [scenery for _, scenery in drawn]
 
 
 def _report(task: Task, runs: list[Outcome]) -> None:
     for run in runs:
-        say(f"{task.name}: {run.end} {run.time_s:.1f} s {run.text}")
+        off_m = run.goals[-1].position_error_m
+        say(f"{task.name}: {run.end} {run.time_s:.1f} s, off by {off_m:.3f} m {run.text}")
         for text in run.recoveries:
             say(f"  recovery {text}")
 

@@ -14,9 +14,10 @@ namespace {
 constexpr std::int64_t kFirstIterations = 3000;
 constexpr std::int64_t kApproachIterations = 50000;
 constexpr std::int64_t kJoinIterations = 30000;
-/// An approach begins where so much is left to the goal [lengths of cells]. Not so near that it
-/// has no room to turn, not so far that its search is long.
-constexpr float kApproachCost = 80.0F;
+/// An approach begins where so much is left to the goal [lengths of cells]: not so near that it
+/// has no room to turn, not so far that its search is long. From nearer starts, half way.
+constexpr double kApproachCost = 80.0;
+constexpr double kMinApproachCost = 30.0;
 /// How near to that place it has to come [cells].
 constexpr double kGateRadius = 2.5;
 /// A path from its end to its start.
@@ -64,8 +65,9 @@ PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
 
 // A path to the goal from a place some distance before it, seen from the start.
 std::optional<TravelPath> PoseRoute::find_approach(Request& request) {
-  if (request.query.exit_cost < 2.0 * kApproachCost) return std::nullopt;
-  const Cell gate = heuristic_.descend(request.exit, kApproachCost);
+  const double begin = std::min(kApproachCost, 0.5 * request.query.exit_cost);
+  if (begin < kMinApproachCost) return std::nullopt;
+  const Cell gate = heuristic_.descend(request.exit, static_cast<float>(begin));
   gate_heuristic_.aim(request.grid, gate);
   PoseSearch::Query query;
   query.checker = request.query.checker;
