@@ -52,7 +52,9 @@ list(APPEND trident_nav_planning_sources ${CMAKE_CURRENT_BINARY_DIR}/builtin_pla
 
 add_library(trident_nav_planning ${trident_nav_planning_sources})
 target_compile_features(trident_nav_planning PUBLIC cxx_std_17)
-target_compile_options(trident_nav_planning PRIVATE -Wall -Wextra -ffp-contract=off)
+# Functions of one file may call each other directly, as they do where the library is linked in.
+target_compile_options(trident_nav_planning PRIVATE -Wall -Wextra -ffp-contract=off
+                       -fno-semantic-interposition)
 target_include_directories(trident_nav_planning PUBLIC include PRIVATE src)
 target_link_libraries(trident_nav_planning PUBLIC trident_nav_core trident_base trident_maps)
 trident_precompile_headers(trident_nav_planning)

@@ -124,7 +124,7 @@ def test_results_survive_and_a_broken_one_counts_as_none(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize("signal", [9, 15])
-def test_a_result_of_a_killed_check_is_told_and_not_kept(
+def test_a_result_of_a_killed_check_is_reported_and_not_kept(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, signal: int
 ) -> None:
     program = tmp_path / "clang-tidy"

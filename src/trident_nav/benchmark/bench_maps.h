@@ -34,8 +34,8 @@ struct Inflation {
 /// Costs and distances of a map from its lethal cells.
 void inflate(BenchMap& map, const Inflation& inflation);
 
-/// Adds an obstacle of so many cells a side about a cell, and what it costs to be near it. Distances
-/// stay as they are.
+/// Adds an obstacle of so many cells a side about a cell, and what it costs to be near it.
+/// Distances stay as they are.
 void add_box(BenchMap& map, Cell center, int side, const Inflation& inflation = {});
 
 /// Rooms of 4 to 8 m along corridors of 2 m, doors of 1 m, furniture; cells of 0.05 m. Inflated.

@@ -121,7 +121,7 @@ class Bench {
   explicit Bench(const BenchMap& map)
       : map_(map), grid_(map.view()), route_(equal_costs()), plain_(grid_), theta_({}) {}
 
-  /// Both searches take in the map, and the memory that they keep from then on: on a long way.
+  /// Both searches take in the map, and the memory that they keep from then on: on a long path.
   void read(const Scenario& s) {
     const double begin_ms = cpu_ms();
     route_.find(grid_, {}, pose(s.start), pose(s.goal), running_);
@@ -185,7 +185,8 @@ void measure(const std::string& path, std::size_t stride) {
   const Totals& t = bench.totals();
   const double count = std::max(t.queries, 1);
   std::printf(
-      "{\"queries\": %d, \"failures\": %d, \"read_ms\": %.4f, \"mean_ms\": %.4f, \"plain_a_star_ms\": %.4f, "
+      "{\"queries\": %d, \"failures\": %d, \"read_ms\": %.4f, \"mean_ms\": %.4f, "
+      "\"plain_a_star_ms\": %.4f, "
       "\"speed_up\": %.3f, \"worst_length_error\": %.3g, \"theta_star_ms\": %.4f, "
       "\"theta_star_ratio\": %.4f, \"theta_star_worst_ratio\": %.6f}\n",
       t.queries, t.failures, t.read_ms, t.route_ms / count, t.plain_ms / count,

@@ -25,8 +25,8 @@ using trident::nav::Failure;
 using trident::nav::Pose2;
 using trident::nav::bench::BenchMap;
 
-constexpr int kBox = 10;          // cells a side
-constexpr double kClear_m = 1.0;  // of boxes, about the robot and the goal
+constexpr int kBox = 10;            // cells a side
+constexpr double kClear_m = 1.0;    // of boxes, about the robot and the goal
 constexpr std::size_t kAhead = 10;  // poses that the robot has moved by
 
 double cpu_ms() {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "byte_rows.h"
+#include "core/byte_rows.h"
 
 namespace trident::nav {
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "byte_rows.h"
+#include "core/byte_rows.h"
 #include "trident_base/error.h"
 
 namespace trident::nav {

@@ -42,7 +42,7 @@ bool AvoidedPlaces::is_kept(const CostGrid& grid) const {
          grid.cost == copy_.source && grid.geometry == copy_.geometry;
 }
 
-// A grid that has not changed is not copied again: only the cells of the places are set anew, and
+// A grid that has not changed is not copied again: only the cells of the places are set again, and
 // the copy keeps its revision when they are the same.
 void AvoidedPlaces::follow(const CostGrid& grid, const Pose2& start) {
   const bool kept = is_kept(grid);

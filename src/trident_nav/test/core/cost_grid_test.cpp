@@ -22,8 +22,8 @@ TEST(GridGeometry, ACellContainsItsLowerCornerAndNotItsUpperOne) {
 
 TEST(GridGeometry, PlacesFarOutsideAreFarOutsideOnTheirOwnSide) {
   for (const double far : {1e8, 1e12, 1e300, std::numeric_limits<double>::infinity()}) {
-    EXPECT_EQ(kShifted.cell(far, -far), (Cell{GridGeometry::kFarthestCell,
-                                           -GridGeometry::kFarthestCell}))
+    EXPECT_EQ(kShifted.cell(far, -far),
+              (Cell{GridGeometry::kFarthestCell, -GridGeometry::kFarthestCell}))
         << far;
     EXPECT_FALSE(kShifted.contains(kShifted.cell(far, 2.1)));
     EXPECT_FALSE(kShifted.contains(kShifted.cell(-1.0, -far)));

@@ -74,7 +74,7 @@ TEST_F(Replans, ABoxOnALongPathIsLedAroundWithoutASearchFromTheGoal) {
   EXPECT_NE(after.points.size(), before.points.size());
 }
 
-TEST_F(Replans, AWallThatForcesALongWayIsTakenIntoThePotential) {
+TEST_F(Replans, AWallThatForcesALongDetourIsTakenIntoThePotential) {
   const Cell start{10, 20}, goal{410, 20};
   plan(start, goal);
   for (int y = 0; y < 150; ++y) grid_(200, y) = kLethalCost;

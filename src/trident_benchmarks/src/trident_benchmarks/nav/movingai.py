@@ -4,7 +4,7 @@
 
 Sturtevant, "Benchmarks for Grid-Based Pathfinding" (2012): a scenario file gives the optimal length
 of each query, without diagonal steps between blocked cells. Reading a map is not part of a query:
-what it takes is told apart, so that few queries (``--quick``) are judged as many are.
+what it takes is reported apart, so that few queries (``--quick``) are judged as many are.
 """
 
 from __future__ import annotations

@@ -53,9 +53,9 @@ struct Nav2NavfnParams {
 };
 
 /// The path of least cost over the 8-neighbor graph of cells, each cell at 50 + 0.8 c for a cost of
-/// c (navfn's constants; unknown cells 253), pulled taut. Its `cost` is that of the cells; where the
-/// path of the plan before is kept but for ways around new obstacles, it is that of the taut path,
-/// which is not above the least cost over cells.
+/// c (navfn's constants; unknown cells 253), pulled taut. Its `cost` is that of the cells; where
+/// the path of the plan before is kept but for detours around new obstacles, it is that of the taut
+/// path, which is not above the least cost over cells.
 class NavfnPlanner : public Planner, public PotentialSource {
  public:
   explicit NavfnPlanner(const NavfnParams& params);

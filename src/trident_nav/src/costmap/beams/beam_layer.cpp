@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "../byte_rows.h"
+#include "core/byte_rows.h"
 
 namespace trident::nav {
 namespace {

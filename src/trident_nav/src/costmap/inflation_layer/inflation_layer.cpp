@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "../byte_rows.h"
+#include "core/byte_rows.h"
 
 namespace trident::nav {
 namespace {

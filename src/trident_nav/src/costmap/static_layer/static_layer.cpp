@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "../byte_rows.h"
+#include "core/byte_rows.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 #include "trident_nav/costmap/layer_grid.h"

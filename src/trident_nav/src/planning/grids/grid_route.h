@@ -21,8 +21,8 @@ struct GridRouteOptions {
   double tolerance_m = 0.0;  ///< A pose this close to the goal will do [m].
   bool taut = true;          ///< Straight lines where they cost no more than the cells.
   bool outline = false;      ///< Cells along the grid's border are blocked.
-  /// Obstacles that have come onto a kept potential's path are led around where they are, as long as
-  /// the path, pulled taut, costs no more than the least over cells. Needs `taut`.
+  /// Obstacles that have come onto a kept potential's path are led around where they are, as long
+  /// as the path, pulled taut, costs no more than the least over cells. Needs `taut`.
   bool detours = false;
   /// Jump points where all free cells cost the same. The potential is not kept then.
   bool jumps = false;
@@ -32,10 +32,10 @@ struct GridRouteOptions {
 struct GridRouteResult {
   std::vector<Point2> points;
   std::size_t first_free =
-      0;                    ///< Of the points: the first that lies in a cell that is not blocked.
+      0;  ///< Of the points: the first that lies in a cell that is not blocked.
   /// From the start, or the end of its escape, to the goal; with detours only where it turns.
   std::vector<Cell> cells;
-  std::string reason;       ///< A comment on the success, or why there is no route.
+  std::string reason;  ///< A comment on the success, or why there is no route.
   Failure failure = Failure::kNone;
   double cost = 0.0;  ///< Of the cells, or with detours of the taut path over them, in step costs.
 };

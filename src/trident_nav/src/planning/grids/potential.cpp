@@ -102,7 +102,7 @@ std::uint32_t Potential::distance(Cell a, Cell b) const {
   return steps_.least_straight * (most - least) + steps_.least_diagonal * least;
 }
 
-// What is in the queue stays there: its keys are too high by no more than the start's way.
+// What is in the queue stays there: its keys are too high by no more than the start has moved.
 void Potential::aim(Cell start) {
   lead_ += distance(ends_.start, start);
   ends_.start = start;
@@ -148,7 +148,7 @@ Potential::Result Potential::run_on_known_costs(const CancelFlag& cancel) {
   return result;
 }
 
-// Cells of a bucket lie far apart: what they need is on its way while others are expanded.
+// Cells of a bucket lie far apart: what they need is fetched while others are expanded.
 void Potential::prefetch(Packed p) const {
   const Node* node = &cells_[index(p)];
   __builtin_prefetch(node);
@@ -161,8 +161,8 @@ Potential::Around Potential::around(int x, int y) {
   return {&cells_[cells_.index(x, y)], x, y, &cells_.offsets(x, y)};
 }
 
-// Goes on straight ahead without the queue as long as keys stay below the limit: what comes next is
-// at hand, and most of it would be expanded soon.
+// Continues straight ahead without the queue as long as keys stay below the limit: what comes next
+// is at hand, and most of it would be expanded soon.
 void Potential::expand_run(Packed p, std::uint64_t limit) {
   Around at = around(x_of(p), y_of(p));
   while (true) {
@@ -174,8 +174,8 @@ void Potential::expand_run(Packed p, std::uint64_t limit) {
       return;
     }
     const int arrival = opposite(parent);
-    const bool is_ahead_free = parent < 4 ? expand_straight(at, arrival)
-                                          : expand_diagonal(at, arrival);
+    const bool is_ahead_free =
+        parent < 4 ? expand_straight(at, arrival) : expand_diagonal(at, arrival);
     if (!is_ahead_free || !advance(at, arrival, limit)) return;
   }
 }
@@ -208,11 +208,11 @@ bool Potential::expand_straight(const Around& at, int arrival) {
   const std::uint8_t ahead = at.cost(arrival);
   const bool is_ahead_free = !is_blocked(ahead);
   for (const int side : {(arrival + 1) % 4, (arrival + 3) % 4}) {
-    const std::uint8_t beside = at.cost(side);
-    if (is_blocked(beside)) continue;
+    const std::uint8_t lateral = at.cost(side);
+    if (is_blocked(lateral)) continue;
     const bool can_pass = !is_blocked(at.cost(between(opposite(arrival), side)));
-    const std::uint32_t past = diagonal(beside);  // From the predecessor to the side.
-    if (!can_pass || past >= own + straight(beside)) relax(at, side, straight(beside));
+    const std::uint32_t past = diagonal(lateral);  // From the predecessor to the side.
+    if (!can_pass || past >= own + straight(lateral)) relax(at, side, straight(lateral));
     const int slanted = between(arrival, side);
     const std::uint8_t corner = at.cost(slanted);
     if (!is_ahead_free || is_blocked(corner)) continue;
@@ -236,8 +236,8 @@ bool Potential::expand_diagonal(const Around& at, int arrival) {
   std::array<bool, 2> is_free{};
   for (std::size_t k = 0; k < 2; ++k) {
     const int side = sides[k];
-    const std::uint8_t beside = at.cost(side);
-    is_free[k] = !is_blocked(beside);
+    const std::uint8_t lateral = at.cost(side);
+    is_free[k] = !is_blocked(lateral);
     if (!is_free[k]) continue;
     const int back = opposite(sides[1 - k]);
     const int slanted = between(side, back);
@@ -246,7 +246,7 @@ bool Potential::expand_diagonal(const Around& at, int arrival) {
         straight(at.cost(back)) + straight(corner) >= own + diagonal(corner)) {
       relax(at, slanted, diagonal(corner));
     }
-    relax(at, side, straight(beside));
+    relax(at, side, straight(lateral));
   }
   return is_free[0] && is_free[1] && !is_blocked(at.cost(arrival));
 }

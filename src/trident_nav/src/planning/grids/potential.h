@@ -23,10 +23,10 @@ namespace trident::nav {
 ///
 /// A step costs its length (1 or sqrt 2) times the step cost of the cell that lies farther from the
 /// goal; a diagonal step needs both cells next to it. The search stops as soon as the start's
-/// potential is exact. From a cell it goes on only to those neighbors that its predecessor does not
-/// reach as cheaply without it, of equal paths taking those whose diagonal steps come first (the
-/// pruning of Harabor and Grastien, "Online Graph Pruning for Pathfinding on Grid Maps", AAAI 2011,
-/// with costs).
+/// potential is exact. From a cell it continues only to those neighbors that its predecessor does
+/// not reach as cheaply without it, of equal paths taking those whose diagonal steps come first
+/// (the pruning of Harabor and Grastien, "Online Graph Pruning for Pathfinding on Grid Maps", AAAI
+/// 2011, with costs).
 ///
 /// A later search for the same goal continues: cells that became cheaper are searched from, cells
 /// that became dearer count as what they were until a path is found that leads over them, and then

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <new>
 
-#include "costmap/byte_rows.h"
+#include "core/byte_rows.h"
 
 namespace trident::nav {
 namespace {
@@ -21,7 +21,7 @@ constexpr std::size_t kLargePage = std::size_t{1} << 21U;
 constexpr int kSide = PotentialCells::kSide;
 constexpr int kStep = sizeof(Bytes);
 
-/// Of a row of a square, whether a cell and those beside it are equal; not for the first and the
+/// Of a row of a square, whether a cell and those next to it are equal; not for the first and the
 /// last cell.
 struct EqualRow {
   explicit EqualRow(const std::uint8_t* row) {
@@ -44,8 +44,7 @@ void mark_even(const std::uint8_t* costs, std::uint8_t* even) {
     for (int k = 0; k < kSide / kStep; ++k) {
       const std::uint8_t* from = row + k * kStep;
       const Bytes here = load_bytes(from);
-      const auto column =
-          (here == load_bytes(from - kSide)) & (here == load_bytes(from + kSide));
+      const auto column = (here == load_bytes(from - kSide)) & (here == load_bytes(from + kSide));
       store_bytes(even + y * kSide + k * kStep,
                   below.cells[k] & own.cells[k] & above.cells[k] & column);
     }
@@ -66,7 +65,7 @@ PotentialCells::Array<Item> PotentialCells::make_array(std::size_t count) {
   void* memory = is_large ? std::aligned_alloc(kLargePage, pages * kLargePage)
                           : std::malloc(count * sizeof(Item));
   if (memory == nullptr) throw std::bad_alloc();
-  if (is_large) ::madvise(memory, pages * kLargePage, MADV_HUGEPAGE);  // no more than a wish
+  if (is_large) ::madvise(memory, pages * kLargePage, MADV_HUGEPAGE);  // a request, no more
   return Array<Item>(static_cast<Item*>(memory));
 }
 

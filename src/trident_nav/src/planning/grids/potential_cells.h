@@ -27,7 +27,7 @@ class PotentialCells {
 
   struct Node {
     std::uint32_t value;  ///< kUnreached, or the cost of a path to the goal.
-    std::uint8_t cost;    ///< As the search takes it; a raised one of the grid may not be known yet.
+    std::uint8_t cost;  ///< As the search takes it; a raised one of the grid may not be known yet.
     std::uint8_t parent;  ///< The direction of the next cell towards the goal.
     bool is_open;         ///< It may lower its neighbors.
     bool is_even;         ///< It and all eight neighbors cost the same, and lie in one square.

@@ -48,7 +48,7 @@ bool Potential::is_dearer(const CostGrid& grid, Cell from, Cell to) const {
 }
 
 // Takes the dearer costs about those cells of the start's path, and next to its diagonal steps,
-// that are dearer than is known. False: there are none, and the path is right.
+// that are dearer than is known. False: no cell is, and the path is right.
 bool Potential::raise_under_path() {
   if (!status_.has_dearer) return false;
   bool has_raised = false;
