@@ -64,11 +64,16 @@ NavigatorInput at_present(NavigatorInput input) {
 }  // namespace
 
 Navigator::Navigator(NavigatorParts parts, NavigatorWorld& world, Controller& controller)
-    : parts_(std::move(parts)), world_(world), controller_(controller), keeper_(parts_.params) {}
+    : parts_(std::move(parts)),
+      world_(world),
+      controller_(controller),
+      keeper_(parts_.params),
+      last_command_(parts_.limits, 1.0 / parts_.params.controller_frequency) {}
 
 void Navigator::set_parts(NavigatorParts parts) {
   parts_ = std::move(parts);
   keeper_.set_params(parts_.params);
+  last_command_ = {parts_.limits, 1.0 / parts_.params.controller_frequency};
   next_recovery_ = std::min(next_recovery_, parts_.recoveries.size());
 }
 
@@ -87,7 +92,7 @@ void Navigator::set_goal(const Pose2& goal, double now_s) {
   goal_ = goal;
   next_recovery_ = 0;
   tried_.clear();
-  slow_.reset();
+  slow_.drive.reset();
   cause_.clear();
   since_.motion_from = trail_.empty() ? Pose2{} : trail_.back();
   phase_ = Phase::kPlanning;
@@ -100,8 +105,10 @@ void Navigator::cancel() {
   phase_ = Phase::kIdle;
 }
 
+/// From what the base is about to do: odometry is late, and braking from what it says would be slow.
 Twist2 Navigator::braking(const NavigatorInput& input) const {
-  return braked(parts_.limits, input.state.twist, 1.0 / parts_.params.controller_frequency);
+  return braked(parts_.limits, last_command_.motion(input.state),
+                1.0 / parts_.params.controller_frequency);
 }
 
 /// Keeps the trail, and notes whether the robot gets anywhere: only that makes the recoveries begin
@@ -153,16 +160,17 @@ NavigatorOutput Navigator::step(const NavigatorInput& given) {
     }
   }
   since_.step_s = input.now_s;
+  last_command_.note(output.twist, input.state.time_s);
   return output;
 }
 
 void Navigator::slow_down(const NavigatorInput& input, NavigatorOutput* output) {
-  if (!slow_) return;
+  if (!slow_.drive) return;
   const Pose2& pose = input.state.pose;
-  if (distance(pose.x, pose.y, slow_from_.x, slow_from_.y) >= slow_->distance_m) {
-    slow_.reset();
+  if (distance(pose.x, pose.y, slow_.from.x, slow_.from.y) >= slow_.drive->distance_m) {
+    slow_.drive.reset();
   } else {
-    output->twist = slow_->limited(output->twist);
+    output->twist = slow_.drive->limited(output->twist);
   }
 }
 
@@ -351,8 +359,7 @@ void Navigator::recover(const NavigatorInput& input, NavigatorOutput* output) {
     output->twist = step.twist;
     return;
   }
-  slow_ = step.slow;
-  slow_from_ = input.state.pose;
+  slow_ = {step.slow, input.state.pose};
   ++next_recovery_;
   phase_ = Phase::kPlanning;
   keeper_.clear();
