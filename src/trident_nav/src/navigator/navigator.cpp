@@ -70,11 +70,16 @@ double slower(double a, double b) {
 }  // namespace
 
 Navigator::Navigator(NavigatorParts parts, NavigatorWorld& world, Controller& controller)
-    : parts_(std::move(parts)), world_(world), controller_(controller), keeper_(parts_.params) {}
+    : parts_(std::move(parts)),
+      world_(world),
+      controller_(controller),
+      keeper_(parts_.params),
+      last_command_(parts_.limits, 1.0 / parts_.params.controller_frequency) {}
 
 void Navigator::set_parts(NavigatorParts parts) {
   parts_ = std::move(parts);
   keeper_.set_params(parts_.params);
+  last_command_ = {parts_.limits, 1.0 / parts_.params.controller_frequency};
   next_recovery_ = std::min(next_recovery_, parts_.recoveries.size());
 }
 
@@ -93,7 +98,7 @@ void Navigator::set_goal(const Pose2& goal, double now_s) {
   goal_ = goal;
   next_recovery_ = 0;
   tried_.clear();
-  slow_.reset();
+  slow_.drive.reset();
   cause_.clear();
   since_.motion_from = trail_.empty() ? Pose2{} : trail_.back();
   phase_ = Phase::kPlanning;
@@ -106,8 +111,10 @@ void Navigator::cancel() {
   phase_ = Phase::kIdle;
 }
 
+/// From what the base is about to do: odometry is late, and braking from what it says would be slow.
 Twist2 Navigator::braking(const NavigatorInput& input) const {
-  return braked(parts_.limits, input.state.twist, 1.0 / parts_.params.controller_frequency);
+  return braked(parts_.limits, last_command_.motion(input.state),
+                1.0 / parts_.params.controller_frequency);
 }
 
 /// Keeps the trail, and notes whether the robot gets anywhere: only that makes the recoveries begin
@@ -139,7 +146,7 @@ bool Navigator::waits_for_sources(const NavigatorInput& input, NavigatorOutput* 
        {&since_.plan_s, &since_.command_s, &since_.motion_s, &since_.progress_s, &since_.failing_s})
     *since += waited_s;
   // Odometry may be what is silent: what it said last does not change however long this brakes.
-  const Twist2& measured = input.state.twist;
+  const Twist2 measured = last_command_.motion(input.state);
   const Twist2 from{slower(measured.vx, sent_.vx), slower(measured.vy, sent_.vy),
                     slower(measured.wz, sent_.wz)};
   output->twist = braked(parts_.limits, from, 1.0 / parts_.params.controller_frequency);
@@ -168,16 +175,17 @@ NavigatorOutput Navigator::step(const NavigatorInput& given) {
   }
   since_.step_s = input.now_s;
   sent_ = output.twist;
+  last_command_.note(output.twist, input.state.time_s);
   return output;
 }
 
 void Navigator::slow_down(const NavigatorInput& input, NavigatorOutput* output) {
-  if (!slow_) return;
+  if (!slow_.drive) return;
   const Pose2& pose = input.state.pose;
-  if (distance(pose.x, pose.y, slow_from_.x, slow_from_.y) >= slow_->distance_m) {
-    slow_.reset();
+  if (distance(pose.x, pose.y, slow_.from.x, slow_.from.y) >= slow_.drive->distance_m) {
+    slow_.drive.reset();
   } else {
-    output->twist = slow_->limited(output->twist);
+    output->twist = slow_.drive->limited(output->twist);
   }
 }
 
@@ -366,8 +374,7 @@ void Navigator::recover(const NavigatorInput& input, NavigatorOutput* output) {
     output->twist = step.twist;
     return;
   }
-  slow_ = step.slow;
-  slow_from_ = input.state.pose;
+  slow_ = {step.slow, input.state.pose};
   ++next_recovery_;
   phase_ = Phase::kPlanning;
   keeper_.clear();

@@ -185,6 +185,18 @@ TEST_F(ScriptedNavigator, ARobotThatGetsNowhereOscillates) {
       << output.text;
 }
 
+TEST_F(ScriptedNavigator, BrakesAsHardThoughOdometryIsLate) {
+  Navigator navigator = make();
+  navigator.set_goal({30.0, 0.0, 0.0}, 0.0);
+  controller_.outcome.twist.vx = 0.5;
+  input_.state.twist.vx = 0.5;
+  for (int i = 0; i < 5; ++i) step(navigator);
+  world_.stale.push_back({"obstacle_layer", "scan", "scan", 1.0, 0.3});
+  // The limit is 1 m/s^2; what is measured is still the speed of before.
+  EXPECT_NEAR(step(navigator).twist.vx, 0.4, 1e-9);
+  EXPECT_NEAR(step(navigator).twist.vx, 0.3, 1e-9);
+}
+
 TEST_F(ScriptedNavigator, NoPatienceRunsOutWhileASourceIsSilent) {
   parts_.params.oscillation_timeout = 4.0;
   Navigator navigator = make();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trident_nav/control/controller.h"
+#include "trident_nav/control/last_command.h"
 #include "trident_nav/navigator/navigator_params.h"
 #include "trident_nav/navigator/navigator_world.h"
 #include "trident_nav/navigator/path_keeper.h"
@@ -129,9 +130,14 @@ class Navigator {
     std::size_t count = 0;
   };
   std::vector<TriedPlace> tried_;
-  Twist2 sent_;                    // in the last step
-  std::optional<SlowDrive> slow_;  // since the robot was at slow_from_
-  Pose2 slow_from_;
+  /// A slow drive, if there is one, and where it began.
+  struct Slow {
+    std::optional<SlowDrive> drive;
+    Pose2 from;
+  };
+  Slow slow_;
+  LastCommand last_command_;
+  Twist2 sent_;  // in the last step
   std::string cause_;
   bool is_rerouted_ = false;  // the next path replaces the one that the robot is stuck on
 };
