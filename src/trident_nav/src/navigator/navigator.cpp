@@ -147,8 +147,9 @@ bool Navigator::waits_for_sources(const NavigatorInput& input, NavigatorOutput* 
     *since += waited_s;
   // Odometry may be what is silent: what it said last does not change however long this brakes.
   const Twist2 measured = last_command_.motion(input.state);
-  const Twist2 from{slower(measured.vx, sent_.vx), slower(measured.vy, sent_.vy),
-                    slower(measured.wz, sent_.wz)};
+  const Twist2 sent = last_command_.newest();
+  const Twist2 from{slower(measured.vx, sent.vx), slower(measured.vy, sent.vy),
+                    slower(measured.wz, sent.wz)};
   output->twist = braked(parts_.limits, from, 1.0 / parts_.params.controller_frequency);
   output->waiting = "The robot stands until data come: " + joined_texts(stale) + ".";
   return true;
@@ -159,7 +160,7 @@ NavigatorOutput Navigator::step(const NavigatorInput& given) {
   NavigatorOutput output;
   note_motion(input);
   if (phase_ == Phase::kIdle) {
-    sent_ = {};
+    last_command_.forget();
     return output;
   }
   output.status = NavigatorStatus::kActive;
@@ -174,7 +175,6 @@ NavigatorOutput Navigator::step(const NavigatorInput& given) {
     }
   }
   since_.step_s = input.now_s;
-  sent_ = output.twist;
   last_command_.note(output.twist, input.state.time_s);
   return output;
 }

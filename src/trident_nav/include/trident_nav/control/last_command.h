@@ -17,6 +17,8 @@ class LastCommand {
 
   void note(const Twist2& twist, double time_s);
   void forget() { is_known_ = false; }
+  /// Zero without one.
+  Twist2 newest() const { return is_known_ ? twist_ : Twist2{}; }
 
   /// The command of the period before, as far as the base can have come to it from the measured
   /// velocity within a delay of `kMaxDelay_s`; without one, the measured velocity.

@@ -137,7 +137,6 @@ class Navigator {
   };
   Slow slow_;
   LastCommand last_command_;
-  Twist2 sent_;  // in the last step
   std::string cause_;
   bool is_rerouted_ = false;  // the next path replaces the one that the robot is stuck on
 };
