@@ -212,6 +212,7 @@ def driven(ros: Ros, start_gazebo: Callable[..., Gazebo], folder: Path) -> tuple
     name = "my_nav_robot"
     urdf = Path(package("trident_description")) / f"urdf/{name}.urdf.xacro"
     description = xacro.process_file(str(urdf), mappings={"command_timeout": "0.2"}).toxml()
+    ros.set_param("/use_sim_time", True)
     ros.set_param("/robot_description", description)
     gazebo = start_gazebo(
         str(Path(package("trident_bringup")) / "worlds/room.world"),
@@ -264,7 +265,8 @@ def test_a_goal_is_pursued_though_time_jumps_back(
     gazebo, node = driven(ros, start_gazebo, tmp_path)
     client = client_of(node)
     with recorder("/ground_truth/odom", Odometry) as truth:
-        eventually(lambda: rospy.get_time() > 4.0, "some time to lose")
+        eventually(lambda: bool(truth.messages), "the truth")
+        eventually(lambda: truth.messages[-1].header.stamp.to_sec() > 4.0, "some time to lose")
         client.send_goal(goal_at(2.0))
         eventually(lambda: truth.messages[-1].pose.pose.position.x > 0.3, node.log)
         gazebo.ask("reset_simulation")
