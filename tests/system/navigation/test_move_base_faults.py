@@ -10,10 +10,11 @@ import signal
 import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
+from xmlrpc.client import ServerProxy
 
 import actionlib
 import pytest
-import rosnode
 import rospy
 import xacro
 from actionlib_msgs.msg import GoalStatus
@@ -212,6 +213,7 @@ def driven(ros: Ros, start_gazebo: Callable[..., Gazebo], folder: Path) -> tuple
     name = "my_nav_robot"
     urdf = Path(package("trident_description")) / f"urdf/{name}.urdf.xacro"
     description = xacro.process_file(str(urdf), mappings={"command_timeout": "0.2"}).toxml()
+    ros.set_param("/use_sim_time", True)
     ros.set_param("/robot_description", description)
     gazebo = start_gazebo(
         str(Path(package("trident_bringup")) / "worlds/room.world"),
@@ -227,14 +229,19 @@ def driven(ros: Ros, start_gazebo: Callable[..., Gazebo], folder: Path) -> tuple
     return gazebo, ros.launch(["rosrun", "move_base", "move_base"])
 
 
-def pid_of(node: str) -> int:
-    api = rosnode.get_api_uri(rospy.get_master(), node)
-    return int(rosnode.ServerProxy(api).getPid("/test")[2])
+def pid_of(ros: Ros, name: str) -> int:
+    node: Any = ServerProxy(ros.master.lookupNode("/test", name)[2])
+    return int(node.getPid("/test")[2])
 
 
 def speed(message: Odometry) -> float:
     twist = message.twist.twist
     return math.hypot(twist.linear.x, twist.linear.y) + 0.1 * abs(twist.angular.z)
+
+
+def moved_m(a: Odometry, b: Odometry) -> float:
+    p, q = a.pose.pose.position, b.pose.pose.position
+    return math.dist((p.x, p.y), (q.x, q.y))
 
 
 def test_a_killed_move_base_leaves_a_robot_that_stands_and_can_be_started_again(
@@ -245,11 +252,12 @@ def test_a_killed_move_base_leaves_a_robot_that_stands_and_can_be_started_again(
     client.send_goal(goal_at(3.5))
     with recorder("/ground_truth/odom", Odometry) as truth:
         eventually(lambda: bool(truth.messages) and speed(truth.messages[-1]) > 0.4, node.log)
-        os.kill(pid_of("/move_base"), signal.SIGKILL)
+        os.kill(pid_of(ros, "/move_base"), signal.SIGKILL)
         killed_s = truth.messages[-1].header.stamp.to_sec()
         eventually(lambda: truth.messages[-1].header.stamp.to_sec() > killed_s + 0.8, "time")
-        (after, *_rest) = (m for m in truth.messages if m.header.stamp.to_sec() > killed_s + 0.5)
-        assert speed(after) < 0.03, after.twist.twist
+        late = [m for m in truth.messages if m.header.stamp.to_sec() > killed_s + 0.5]
+        # It may rock on its springless caster, but it goes nowhere.
+        assert moved_m(late[0], late[-1]) < 0.005
     again = ros.launch(["rosrun", "move_base", "move_base"])
     eventually(lambda: client.get_state() == GoalStatus.LOST, "the client knows")
     client = client_of(again)
@@ -264,7 +272,8 @@ def test_a_goal_is_pursued_though_time_jumps_back(
     gazebo, node = driven(ros, start_gazebo, tmp_path)
     client = client_of(node)
     with recorder("/ground_truth/odom", Odometry) as truth:
-        eventually(lambda: rospy.get_time() > 4.0, "some time to lose")
+        eventually(lambda: bool(truth.messages), "the truth")
+        eventually(lambda: truth.messages[-1].header.stamp.to_sec() > 4.0, "some time to lose")
         client.send_goal(goal_at(2.0))
         eventually(lambda: truth.messages[-1].pose.pose.position.x > 0.3, node.log)
         gazebo.ask("reset_simulation")

@@ -94,7 +94,6 @@ WARNINGS = {
         *(f"local_costmap/{key}" for key in IDLE_IN_COSTMAPS),
         "TrajectoryPlannerROS/pdist_scale",
         "TrajectoryPlannerROS/gdist_scale",
-        "TrajectoryPlannerROS/publish_cost_grid_pc",
     ],
     "husky": [
         "DWAPlannerROS/acc_lim_th",
