@@ -214,7 +214,7 @@ def task_of(scene: Scene, seed: int) -> tuple[Task, Scenery]:
 
 
 def judged(run: Outcome, limits: RobotLimits) -> Outcome:
-    """A run that ended farther from its goal than tolerance and odometry's drift allow is missed."""
+    """A run that ended farther from its goal than tolerance and drift allow is missed."""
     goal = run.goals[-1]
     off_m, off_rad = goal.position_error_m, goal.heading_error_rad
     is_near = off_m <= limits.tolerance_m + run.odometry_error_m
