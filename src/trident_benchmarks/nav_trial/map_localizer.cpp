@@ -16,12 +16,12 @@ MapLocalizer::MapLocalizer(const MapParams& params, const OccupancyGrid& map,
   filter_ = std::make_unique<estimation::Amcl>(amcl, map);
   const RandomStream random(seed, "amcl_start");
   const auto& sigma = params.start_sigma;
-  const SE2 T_map_told = T_map_start * SE2::from_xy_yaw(sigma[0] * random.normal(0, 0),
-                                                        sigma[1] * random.normal(0, 1),
-                                                        sigma[2] * random.normal(0, 2));
+  const SE2 T_map_given =
+      T_map_start * SE2::from_xy_yaw(sigma[0] * random.normal(0, 0), sigma[1] * random.normal(0, 1),
+                                     sigma[2] * random.normal(0, 2));
   const Eigen::Vector3d spread(sigma[0], sigma[1], sigma[2]);
-  filter_->set_pose(T_map_told, spread.cwiseAbs2().asDiagonal());
-  T_map_odom_ = T_map_told;
+  filter_->set_pose(T_map_given, spread.cwiseAbs2().asDiagonal());
+  T_map_odom_ = T_map_given;
 }
 
 void MapLocalizer::add_scan(const PlacedScan& placed) {

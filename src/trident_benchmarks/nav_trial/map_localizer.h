@@ -14,10 +14,10 @@
 
 namespace trident::benchmarks {
 
-/// Where a map lies under a robot's odometry, by the way that a task asks for.
+/// Where a map lies under a robot's odometry, by the method that a task asks for.
 class MapLocalizer {
  public:
-  /// `T_map_start`: where the robot truly begins; amcl is told of it with an error that the seed
+  /// `T_map_start`: where the robot truly begins; amcl gets it with an error that the seed
   /// draws. Throws Error, ConfigError.
   MapLocalizer(const MapParams& params, const OccupancyGrid& map, const SE2& T_map_start,
                std::uint64_t seed);

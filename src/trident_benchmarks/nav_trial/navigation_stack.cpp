@@ -162,8 +162,7 @@ void NavigationStack::track(const nav::BeamSource& source, const LaserScan& scan
 
 nav::NavigatorOutput NavigationStack::cycle(double now_s, const nav::RobotState& robot) {
   controlled_s_ = now_s;
-  const SE2 T_map_base =
-      T_map_odom_ * SE2::from_xy_yaw(robot.pose.x, robot.pose.y, robot.pose.yaw);
+  const SE2 T_map_base = T_map_odom_ * SE2::from_xy_yaw(robot.pose.x, robot.pose.y, robot.pose.yaw);
   const nav::Pose2 in_map{T_map_base.p.x(), T_map_base.p.y(), T_map_base.angle};
   global_.update(now_s, in_map);
   local_.update(now_s, robot.pose);

@@ -23,9 +23,9 @@ namespace trident::benchmarks {
 /// file's counts. Throws ConfigError.
 ConfigNode merged_parameters(const std::vector<std::string>& files);
 
-/// All that the node move_base has, made from the same parameters, without ROS: the local costmap in
-/// the frame of odometry and the global one in the map's, which is the same until it is told
-/// otherwise, planner, controller, recoveries, navigator. One thread.
+/// All that the node move_base has, made from the same parameters, without ROS: the local costmap
+/// in the frame of odometry and the global one in the map's, which is the same until
+/// set_map_pose(), planner, controller, recoveries, navigator. One thread.
 class NavigationStack {
  public:
   /// `parameters`: the node's map. Throws Error.

@@ -45,9 +45,9 @@ void PoseHistory::add(double time_s, const nav::Pose2& pose) {
 }
 
 SE2 PoseHistory::at(double time_s) const {
-  const auto after =
-      std::find_if(poses_.begin(), poses_.end(),
-                   [time_s](const Stamped& stamped) { return stamped.time_s >= time_s; });
+  const auto after = std::find_if(poses_.begin(), poses_.end(), [time_s](const Stamped& stamped) {
+    return stamped.time_s >= time_s;
+  });
   if (after == poses_.end()) return poses_.back().pose;
   if (after == poses_.begin()) return after->pose;
   const Stamped& before = *(after - 1);

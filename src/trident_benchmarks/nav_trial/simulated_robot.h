@@ -26,10 +26,10 @@ class WheelOdometry;
 /// A scan, and where its laser was as odometry has it.
 struct PlacedScan {
   LaserScan scan;
-  SE3 T_odom_laser;     ///< At the first beam.
+  SE3 T_odom_laser;      ///< At the first beam.
   SE3 T_odom_laser_end;  ///< At the last one.
-  SE2 T_odom_base;      ///< At the first beam.
-  SE2 T_start_end;      ///< The robot's motion from the first beam to the last one.
+  SE2 T_odom_base;       ///< At the first beam.
+  SE2 T_start_end;       ///< The robot's motion from the first beam to the last one.
 
   /// The laser's poses from the first beam to the last; one where all beams are of one time.
   std::vector<SE3> laser_poses() const;

@@ -24,7 +24,7 @@ struct GoalResult {
   std::string text;     ///< Why the goal was given up, or what move_base says.
   double time_s = 0.0;  ///< Since the goal was given.
   double position_error_m = 0.0, heading_error_rad = 0.0;  ///< By the truth, at the end.
-  std::string touched;  ///< What was touched first on the way; empty: nothing.
+  std::string touched;  ///< What was touched first; empty: nothing.
   std::size_t recoveries = 0;
 };
 
@@ -39,11 +39,11 @@ struct TrialResult {
   double odometry_error_m = 0.0;        ///< At the end.
   double localization_error_m = 0.0;    ///< The greatest one at the end of a goal; with a map.
   double top_speed_m_s = 0.0, least_speed_m_s = 0.0;  ///< By odometry, along the robot.
-  double navigation_cpu_s = 0.0;  ///< Of costmaps, planner and controller.
+  double navigation_cpu_s = 0.0;                      ///< Of costmaps, planner and controller.
 };
 
-/// Drives one robot to its goals, one after the other. Equal configurations and seeds give equal results to the bit, but
-/// for the CPU time. Throws Error.
+/// Drives one robot to its goals, one after the other. Equal configurations and seeds give equal
+/// results to the bit, but for the CPU time. Throws Error.
 TrialResult run_trial(const TrialConfig& config, const ConfigNode& parameters, std::uint64_t seed);
 
 }  // namespace trident::benchmarks

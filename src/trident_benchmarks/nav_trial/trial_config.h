@@ -71,11 +71,12 @@ struct MapParams {
   template <class Archive>
   void visit(Archive& ar) {
     ar.field("file", file, "YAML file of a map; empty: none");
-    ar.field("pose", pose, Range{-1e6, 1e6}, "of the map's frame in the world: x, y [m], yaw [rad]");
+    ar.field("pose", pose, Range{-1e6, 1e6},
+             "of the map's frame in the world: x, y [m], yaw [rad]");
     ar.field("localization", localization, "how the robot knows where it is in the map");
     ar.field("amcl", amcl, "file with amcl's parameters");
     ar.field("start_sigma", start_sigma, Range::non_negative(),
-             "spread of what amcl is told of the start: x, y [m], yaw [rad]");
+             "spread of the start that amcl is given: x, y [m], yaw [rad]");
   }
   /// Throws Error where what localizes lacks a file.
   void validate() const {

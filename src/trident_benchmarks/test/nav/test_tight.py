@@ -52,6 +52,7 @@ def test_a_goal_that_the_truth_denies_is_missed(tmp_path: Path) -> None:
     )
     run = run_of(1, "reached")
     assert tight.judged(replace(run, goals=(near,)), limits).is_success
+    assert tight.judged(replace(run, goals=(far,), odometry_error_m=0.15), limits).is_success
     missed = tight.judged(replace(run, goals=(far,)), limits)
     assert (missed.end, missed.text) == ("missed", "off by 0.200 m, 0.000 rad")
 

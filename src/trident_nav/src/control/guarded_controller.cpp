@@ -96,7 +96,8 @@ GuardedController::GuardedController(const ControlSetup& setup, std::unique_ptr<
       checker_(checker != nullptr
                    ? std::move(checker)
                    : std::make_shared<FootprintChecker>(setup.footprint, setup.unknown)),
-      padded_checker_(grown_footprint(setup.footprint, guard_padding_m(setup.footprint)), setup.unknown),
+      padded_checker_(grown_footprint(setup.footprint, guard_padding_m(setup.footprint)),
+                      setup.unknown),
       law_(std::move(law)),
       guard_(setup_.limits, *checker_, padded_checker_, setup.period_s),
       arrival_(setup.tolerance, setup_.can_turn_on_spot()),

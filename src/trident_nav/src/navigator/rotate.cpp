@@ -34,7 +34,9 @@ struct RotateParams {
 class Rotate : public Recovery {
  public:
   Rotate(const RecoverySetup& setup, const RotateParams& params)
-      : setup_(setup), params_(params), checker_(grown_footprint(setup.footprint, guard_padding_m(setup.footprint))) {}
+      : setup_(setup),
+        params_(params),
+        checker_(grown_footprint(setup.footprint, guard_padding_m(setup.footprint))) {}
 
   void start() override {
     targets_.clear();

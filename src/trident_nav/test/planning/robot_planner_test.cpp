@@ -33,7 +33,7 @@ MotionLimits limits_of(double radius_m, double vx_min) {
   return limits;
 }
 
-/// The path to a goal that lies beside the robot, with the same heading.
+/// The path to a goal to the left of the robot, with the same heading.
 Path path_aside(const MotionLimits& limits) {
   const TestGrid grid(120, 120, kFreeCost, 0.05);
   RobotPlanner planner{RobotPlannerParams{}};

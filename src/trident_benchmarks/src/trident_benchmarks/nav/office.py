@@ -59,7 +59,7 @@ class Building:
 
     Attributes:
         world: SDF file.
-        known: what robots are told.
+        known: what robots know of it.
     """
 
     world: Path

@@ -158,7 +158,7 @@ class GoalOutcome:
         time_s: since it was given.
         position_error_m: by the truth, at the end.
         heading_error_rad: by the truth, at the end.
-        touched: what was touched first on the way; empty: nothing.
+        touched: what was touched first; empty: nothing.
         recoveries: how many.
     """
 
@@ -187,6 +187,7 @@ class Outcome:
         goals: each that was tried.
         localization_error_m: the greatest one at the end of a goal.
         least_speed_m_s: by odometry; negative: backwards.
+        odometry_error_m: of the position that odometry has, at the end.
     """
 
     seed: int
@@ -199,6 +200,7 @@ class Outcome:
     goals: tuple[GoalOutcome, ...] = ()
     localization_error_m: float = 0.0
     least_speed_m_s: float = 0.0
+    odometry_error_m: float = 0.0
 
     @property
     def is_success(self) -> bool:
@@ -313,6 +315,7 @@ def _outcome(record: dict[str, Any]) -> Outcome:
         goals=tuple(_goal_outcome(one) for one in record["goals"]),
         localization_error_m=float(record["localization_error_m"]),
         least_speed_m_s=float(record["least_speed_m_s"]),
+        odometry_error_m=float(record["odometry_error_m"]),
     )
 
 

@@ -35,8 +35,8 @@ struct Sidestep {
 Sidestep sidestep(const CostGrid& grid, double room_m, const Pose2& pose) {
   const double step_m = 0.5 * grid.geometry.resolution;
   const auto room_at = [&](double offset_m) {
-    return distance_at(grid, {pose.x - std::sin(pose.yaw) * offset_m,
-                              pose.y + std::cos(pose.yaw) * offset_m});
+    return distance_at(
+        grid, {pose.x - std::sin(pose.yaw) * offset_m, pose.y + std::cos(pose.yaw) * offset_m});
   };
   const double side = room_at(step_m) >= room_at(-step_m) ? step_m : -step_m;
   Sidestep best{0.0, room_at(0.0)};

@@ -15,7 +15,7 @@ constexpr std::int64_t kFirstIterations = 3000;
 constexpr std::int64_t kApproachIterations = 50000;
 constexpr std::int64_t kJoinIterations = 30000;
 /// An approach begins where so much is left to the goal [lengths of cells]: not so near that it
-/// has no room to turn, not so far that its search is long. From nearer starts, half way.
+/// has no room to turn, not so far that its search is long. From nearer starts, at half of it.
 constexpr double kApproachCost = 80.0;
 constexpr double kMinApproachCost = 30.0;
 /// How near to that place it has to come [cells].
