@@ -5,8 +5,8 @@
 // scenario file next to it, through the planner Smac 2D without cost, Theta*, and a plain A* with a
 // binary heap, by turns. A line of JSON: mean times [ms], the geometric mean of the speed-ups over
 // the plain one, the largest relative error of a length, the mean ratio of Theta*'s lengths to the
-// octile optimum. Reading the map has a time of its own, and twenty paths before the first query are
-// not counted: what is done once for all queries does not weigh on few of them.
+// octile optimum. Reading the map has a time of its own, and twenty paths before the first query
+// are not counted: what is done once for all queries does not weigh on few of them.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
