@@ -15,7 +15,7 @@ set(trident_nav_planning_sources
   src/planning/curves/curve_checker.cpp
   src/planning/curves/footprint_contact.cpp
   src/planning/poses/goal_probe.cpp
-  src/planning/grids/detours.cpp
+  src/planning/potential/detours.cpp
   src/planning/grids/grid_route.cpp
   src/planning/grids/jump_points.cpp
   src/planning/grids/jump_scan.cpp
@@ -32,9 +32,9 @@ set(trident_nav_planning_sources
   src/planning/poses/pose_route.cpp
   src/planning/poses/pose_route_search.cpp
   src/planning/poses/pose_search.cpp
-  src/planning/grids/potential.cpp
-  src/planning/grids/potential_cells.cpp
-  src/planning/grids/potential_repair.cpp
+  src/planning/potential/potential.cpp
+  src/planning/potential/potential_cells.cpp
+  src/planning/potential/potential_repair.cpp
   src/planning/poses/smac_options.cpp
   src/planning/grids/theta_search.cpp
 )

@@ -10,7 +10,7 @@
 
 #include "bench_maps.h"
 #include "planning/grids/path_points.h"
-#include "planning/grids/potential.h"
+#include "planning/potential/potential.h"
 #include "planning/reference_search.h"
 #include "trident_nav/planning/theta_star_planner.h"
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "planning/grids/detours.h"
 #include "planning/grids/jump_points.h"
-#include "planning/grids/potential.h"
 #include "planning/grids/step_costs.h"
+#include "planning/potential/detours.h"
+#include "planning/potential/potential.h"
 #include "trident_nav/core/cost_grid.h"
 #include "trident_nav/core/outcome.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "planning/grids/potential_cells.h"
+#include "planning/potential/potential_cells.h"
 
 #include <sys/mman.h>
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "planning/grids/potential.h"
 #include "planning/grids/step_costs.h"
+#include "planning/potential/potential.h"
 #include "trident_nav/core/cost_grid.h"
 #include "trident_nav/core/outcome.h"
 

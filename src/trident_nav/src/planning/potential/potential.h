@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "planning/grids/bucket_queue.h"
-#include "planning/grids/potential_cells.h"
 #include "planning/grids/search_result.h"
 #include "planning/grids/step_costs.h"
+#include "planning/potential/potential_cells.h"
 #include "trident_nav/core/cost_grid.h"
 #include "trident_nav/core/outcome.h"
 

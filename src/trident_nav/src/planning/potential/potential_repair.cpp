@@ -8,7 +8,7 @@
 // could lower a neighbor is open: then continuing the search makes the start's value exact. Since
 // an expansion leaves out what it could see to be in vain from the costs around it, cells next to a
 // changed one are opened again.
-#include "planning/grids/potential.h"
+#include "planning/potential/potential.h"
 
 namespace trident::nav {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include "planning/grids/detours.h"
+#include "planning/potential/detours.h"
 
 #include <algorithm>
 
