@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from xmlrpc.client import ServerProxy
 
 import pytest
 import rospy
@@ -25,6 +26,7 @@ ROBOT = "my_nav_robot"
 LIDAR_Z_M = 0.15
 GOAL = (2.0, -1.0)
 END_S = 14.0
+READERS = {(topic, node) for topic in ("/scan", "/tf") for node in ("/amcl", "/move_base")}
 WORLD = Path(package("trident_bringup")) / "worlds/room.world"
 
 
@@ -37,6 +39,12 @@ def room_map(tmp_path_factory: pytest.TempPathFactory) -> Path:
         grid = occupancy_map(World(WORLD), MapConfig(heights=(LIDAR_Z_M,)))
     grid.save(folder / "room.pgm")
     return folder / "room.yaml"
+
+
+def readers(ros: Ros) -> set[tuple[str, str]]:
+    """Topic and node of connections that the simulator has: what it sends before reaches nobody."""
+    node: Any = ServerProxy(ros.master.lookupNode("/test", "/gazebo")[2])
+    return {(row[4], row[1]) for row in node.getBusInfo("/test")[2] if row[2] == "o"}
 
 
 def amcl_has_a_map() -> bool:
@@ -87,6 +95,7 @@ def drive(ros: Ros, start_gazebo: StartGazebo, room_map: Path, label: str) -> di
         ]
     )
     eventually(amcl_has_a_map, "amcl's map")
+    eventually(lambda: readers(ros) >= READERS, "all who read what the world publishes")
     send_goal()
     gazebo.ask("unpause_physics")
     results = gazebo.ended(limit_s=300.0)

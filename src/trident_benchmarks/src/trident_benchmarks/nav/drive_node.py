@@ -50,6 +50,7 @@ _LEAST_LIMIT_S = 60.0  # simulated time for a goal
 _START_LIMIT_S = 120.0  # simulated time until move_base is there
 _COMMAND_TIMEOUT_S = 0.3  # of robots whose description has such an argument
 _POLL_S = 0.02  # wall time
+_READERS = {(topic, node) for topic in ("/scan", "/tf") for node in ("/amcl", "/move_base")}
 _NODE = "/move_base"
 _FARTHEST_M = 1e8  # of a legal position
 _LENGTH_TOLERANCE = 0.01  # of a quaternion's length
@@ -182,14 +183,16 @@ class Drive:
         return client
 
     def _begin_time(self) -> None:
-        """Lets the world run once amcl has its map, so that it uses the same scans in each run."""
+        """Lets the world run once all scans reach amcl and move_base, and amcl has its map."""
         has_map = rospy.ServiceProxy("request_nomotion_update", Empty)
         while not rospy.is_shutdown():
             try:
                 has_map()
-                break
-            except rospy.ServiceException:
-                time.sleep(_POLL_S)
+                if _readers_of_simulator() >= _READERS:
+                    break
+            except (rospy.ServiceException, OSError, rosgraph.MasterException):
+                pass
+            time.sleep(_POLL_S)
         rospy.ServiceProxy("/gazebo/unpause_physics", Empty)()
 
     def _drive_to_one(self, client: actionlib.SimpleActionClient) -> None:
@@ -257,6 +260,13 @@ class Drive:
         words = [f"{name}:={value}" for name, value in arguments.items()]
         command = ["roslaunch", "--disable-title", "trident_bringup", file, *words]
         self._children.append(subprocess.Popen(command, start_new_session=True))
+
+
+def _readers_of_simulator() -> set[tuple[str, str]]:
+    """Topic and node of the connections that the simulator has to those who listen to it."""
+    api = rosgraph.Master(rospy.get_name()).lookupNode("/gazebo")
+    node: Any = xmlrpc.client.ServerProxy(api)
+    return {(row[4], row[1]) for row in node.getBusInfo(rospy.get_name())[2] if row[2] == "o"}
 
 
 def _message(goal: Pose) -> MoveBaseGoal:
