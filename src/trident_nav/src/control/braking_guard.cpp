@@ -99,7 +99,12 @@ bool BrakingGuard::is_hit(const Pose2& pose, double after_s, const Twist2& twist
   const double d = distance(p.x, p.y, pose.x, pose.y);
   const double reach = checker_.footprint().circumscribed_radius + track.radius_m;
   if (track.unseen_s <= kSeen_s) return d <= reach;
-  if (d > reach + std::min(track.position_sigma(after_s), kMostUnknown_m)) return false;
+  const double sigma_m = track.position_sigma(after_s);
+  // Corners sweep over what is next to the robot as it turns.
+  const double radius_m = checker_.footprint().circumscribed_radius;
+  const bool sweeps = radius_m * std::fabs(twist.wz) > kHarmless_m_s;
+  if (sweeps && d <= reach + std::min(sigma_m, radius_m)) return true;
+  if (d > reach + std::min(sigma_m, kMostUnknown_m)) return false;
   const double c = std::cos(pose.yaw), s = std::sin(pose.yaw);
   const Point2 v{c * twist.vx - s * twist.vy, s * twist.vx + c * twist.vy};
   return v.x * (p.x - pose.x) + v.y * (p.y - pose.y) > kHarmless_m_s * d;
