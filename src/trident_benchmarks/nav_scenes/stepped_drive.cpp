@@ -23,7 +23,9 @@ SE3 planar(const nav::Pose2& pose) {
 SteppedDrive::SteppedDrive(const TrialConfig& config, const ConfigNode& parameters,
                            std::uint64_t seed)
     : start_{config.start[0], config.start[1], config.start[2]},
-      command_delay_s_(config.command_delay_s), robot_(config, seed), stack_(parameters) {}
+      command_delay_s_(config.command_delay_s),
+      robot_(config, seed),
+      stack_(parameters) {}
 
 nav::Pose2 SteppedDrive::pose() const {
   if (!is_localized_) return robot_.odometry().pose();
@@ -51,8 +53,7 @@ std::optional<nav::NavigatorOutput> SteppedDrive::step() {
   const double begin_s = thread_cpu_s();
   const WheelOdometry& odometry = robot_.odometry();
   const double state_s = is_localized_ ? time_s() : robot_.odometry_time_s();
-  nav::NavigatorOutput output =
-      stack_.cycle(time_s(), {pose(), odometry.twist(), state_s});
+  nav::NavigatorOutput output = stack_.cycle(time_s(), {pose(), odometry.twist(), state_s});
   navigation_cpu_s_ += thread_cpu_s() - begin_s;
   const bool is_idle = output.status == nav::NavigatorStatus::kIdle;
   command_ = is_idle ? nav::Twist2{} : output.twist;
