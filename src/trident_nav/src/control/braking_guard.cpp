@@ -93,17 +93,22 @@ double BrakingGuard::step_duration(const Pose2& pose, double speed, const CostGr
   return speed > 0.0 ? std::clamp(step_m / speed, 1e-5, kCoarse * period_s_) : kCoarse * period_s_;
 }
 
-// Of what no sensor has seen for a while, as it walks behind the robot, it is only known about where
-// it is: the robot may leave, but not drive there.
+// Of what no sensor has seen for a while, as it walks behind the robot, it is only known about
+// where it is: the robot may leave, but not drive there.
 bool BrakingGuard::is_hit(const Pose2& pose, double after_s, const Twist2& twist,
                           const Track& track) const {
   constexpr double kSeen_s = 0.3;
-  constexpr double kMostUnknown_m = 1.0;
+  constexpr double kMaxUnknown_m = 1.0;
   const Point2 p = track.position_at(after_s);
   const double d = distance(p.x, p.y, pose.x, pose.y);
   const double reach = checker_.footprint().circumscribed_radius + track.radius_m;
   if (track.unseen_s <= kSeen_s) return d <= reach;
-  if (d > reach + std::min(track.position_sigma(after_s), kMostUnknown_m)) return false;
+  const double sigma_m = track.position_sigma(after_s);
+  // Corners sweep over what is next to the robot as it turns.
+  const double radius_m = checker_.footprint().circumscribed_radius;
+  const bool sweeps = radius_m * std::fabs(twist.wz) > kHarmless_m_s;
+  if (sweeps && d <= reach + std::min(sigma_m, radius_m)) return true;
+  if (d > reach + std::min(sigma_m, kMaxUnknown_m)) return false;
   const double c = std::cos(pose.yaw), s = std::sin(pose.yaw);
   const Point2 v{c * twist.vx - s * twist.vy, s * twist.vx + c * twist.vy};
   return v.x * (p.x - pose.x) + v.y * (p.y - pose.y) > kHarmless_m_s * d;

@@ -111,7 +111,8 @@ void Navigator::cancel() {
   phase_ = Phase::kIdle;
 }
 
-/// From what the base is about to do: odometry is late, and braking from what it says would be slow.
+/// From what the base is about to do: odometry is late, and braking from what it says would be
+/// slow.
 Twist2 Navigator::braking(const NavigatorInput& input) const {
   return braked(parts_.limits, last_command_.motion(input.state),
                 1.0 / parts_.params.controller_frequency);

@@ -154,9 +154,11 @@ TEST(BrakingGuard, DoesNotBackIntoWhomTheRobotSawPassBehindIt) {
   EXPECT_FALSE(contact(-0.3)) << "it is seen, and too far away to be touched";
   walker.unseen_s = 1.0;
   EXPECT_TRUE(contact(-0.3)) << "it may have come nearer";
+  walker.position.x = 2.4;
+  const RobotState turning{{3.0, 2.0, 0.0}, {0.0, 0.0, 0.5}, 0.0};
+  EXPECT_TRUE(guard.first_contact(turning, {0.0, 0.0, 0.5}, world.grid(), {walker}).has_value());
   const RobotState leaving{{3.0, 2.0, 0.0}, {0.2, 0.0, 0.0}, 0.0};
-  EXPECT_FALSE(
-      guard.first_contact(leaving, {0.3, 0.0, 0.0}, world.grid(), {walker}).has_value());
+  EXPECT_FALSE(guard.first_contact(leaving, {0.3, 0.0, 0.0}, world.grid(), {walker}).has_value());
 }
 
 TEST(Lanes, TheAngleIsThatOfTheLibrary) {
