@@ -54,7 +54,7 @@ std::optional<nav::NavigatorOutput> SteppedDrive::step() {
   }
   if (!stack_.is_control_due(time_s())) return std::nullopt;
   const double begin_s = thread_cpu_s();
-  const Odometry& odometry = robot_.odometry();
+  const auto& odometry = robot_.odometry();
   const double state_s = is_localized_ ? time_s() : robot_.odometry_time_s();
   nav::NavigatorOutput output = stack_.cycle(time_s(), {pose(), odometry.twist(), state_s});
   navigation_cpu_s_ += thread_cpu_s() - begin_s;
