@@ -160,8 +160,14 @@ class Drive:
         x, y, yaw = (float(value) for value in rospy.get_param("~start", [0.0, 0.0, 0.0]))
         robot = rospy.get_param("~robot", "my_nav_robot")
         # Should move_base end, the robot does not drive on.
-        timeout = f"command_timeout:={_COMMAND_TIMEOUT_S}"
-        self._roslaunch("ground_robot.launch", robot=robot, x=x, y=y, yaw=yaw, xacro_args=timeout)
+        self._roslaunch(
+            "ground_robot.launch",
+            robot=robot,
+            x=x,
+            y=y,
+            yaw=yaw,
+            command_timeout=_COMMAND_TIMEOUT_S,
+        )
         self._roslaunch(
             "navigation.launch",
             map_file=str(rospy.get_param("~map_file", "")) or self._out / "true_map.yaml",
