@@ -87,8 +87,8 @@ void find_furthest(const Rollouts& rollouts, CriticScene* scene) {
     if (!drives_back(rollouts, lane)) ahead = std::max(ahead, point);
   }
   const double reached_m = static_cast<double>(scene->path_spacing) * scene->furthest;
-  scene->leaves_backwards = reached_m > scene->model.circumscribed_radius &&
-                            ahead < kStuckShare * scene->furthest;
+  scene->leaves_backwards =
+      reached_m > scene->model.circumscribed_radius && ahead < kStuckShare * scene->furthest;
   int blocked = 0;
   for (int i = 0; i <= scene->furthest; ++i) {
     if (is_blocked(*scene, static_cast<std::size_t>(i))) ++blocked;
