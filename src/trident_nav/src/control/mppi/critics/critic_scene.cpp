@@ -86,7 +86,9 @@ void find_furthest(const Rollouts& rollouts, CriticScene* scene) {
     scene->furthest = std::max(scene->furthest, point);
     if (!drives_back(rollouts, lane)) ahead = std::max(ahead, point);
   }
-  scene->leaves_backwards = ahead < kStuckShare * scene->furthest;
+  const double reached_m = static_cast<double>(scene->path_spacing) * scene->furthest;
+  scene->leaves_backwards =
+      reached_m > scene->model.circumscribed_radius && ahead < kStuckShare * scene->furthest;
   int blocked = 0;
   for (int i = 0; i <= scene->furthest; ++i) {
     if (is_blocked(*scene, static_cast<std::size_t>(i))) ++blocked;
