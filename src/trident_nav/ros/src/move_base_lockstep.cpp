@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "trident_base/string_util.h"
 #include "trident_nav_ros/frames.h"
@@ -13,13 +14,15 @@
 namespace trident::nav {
 namespace {
 
-/// Waits until something is so, for some wall time at most.
+/// Waits until something is so, for some wall time at most; whether it is.
 template <class Condition>
-void await(double limit_s, const Condition& is_so) {
+bool await(double limit_s, const Condition& is_so) {
   const ros::WallTime begun = ros::WallTime::now();
-  while (ros::ok() && !is_so() && (ros::WallTime::now() - begun).toSec() < limit_s) {
+  while (!is_so()) {
+    if (!ros::ok() || (ros::WallTime::now() - begun).toSec() >= limit_s) return false;
     ros::WallDuration(1e-4).sleep();
   }
+  return true;
 }
 
 }  // namespace
@@ -62,12 +65,19 @@ void MoveBaseNode::answer(double stamp_s) {
 }
 
 /// The sample and its transform come on connections of their own.
-void MoveBaseNode::await_transform(double stamp_s) const {
+void MoveBaseNode::await_transform(double stamp_s) {
   constexpr double kLimit_s = 2.0;  // wall time
   const ros::Time stamp(stamp_s);
-  await(kLimit_s, [&] {
-    return buffer_.canTransform(parts_->local->frame(), parts_->local->base_frame(), stamp);
-  });
+  const std::string &local = parts_->local->frame(), &base = parts_->local->base_frame();
+  if (!await(kLimit_s, [&] { return buffer_.canTransform(local, base, stamp); })) {
+    note_unrepeatable("no transform from " + base + " to " + local + " has come for " +
+                      number_text(stamp_s) + " s within " + number_text(kLimit_s) + " s");
+  }
+}
+
+/// What wall time has decided is another thing in each run.
+void MoveBaseNode::note_unrepeatable(const std::string& why) {
+  refusals_.note("lockstep", "not repeatable: " + why);
 }
 
 /// The transform that follows from the newest scan, and no newer one, whatever has come.
@@ -81,29 +91,33 @@ void MoveBaseNode::await_localization(double stamp_s) {
   const auto is_there = [&] {
     return buffer_.canTransform(parts_->global->frame(), parts_->local->frame(), stamp);
   };
-  await(kLimit_s, is_there);
-  if (is_there()) {
+  if (await(kLimit_s, is_there)) {
     lockstep_.localized_ns = stamp.toNSec();
   } else {
-    refusals_.note("transform", "no transform from " + parts_->local->frame() + " to " +
-                                    parts_->global->frame() + " has come for the scan at " +
-                                    number_text(*scan_s) + " s within " + number_text(kLimit_s) +
-                                    " s");
+    note_unrepeatable("no transform from " + parts_->local->frame() + " to " +
+                      parts_->global->frame() + " has come for the scan at " +
+                      number_text(*scan_s) + " s within " + number_text(kLimit_s) + " s");
   }
 }
 
 /// A client sends its next goal when it hears of the end of the one before; the sample at which
 /// that comes would be another one in each run.
 void MoveBaseNode::await_goal() {
-  if (!lockstep_.awaits_goal || goals_->is_active()) return;
-  await(parts_->params.goal_patience, [this] { return goals_->has_new(); });
-  lockstep_.awaits_goal = false;
+  if (goals_->is_active()) return;
+  if (std::exchange(lockstep_.awaits_goal, false)) {
+    await(parts_->params.goal_patience, [this] { return goals_->has_new(); });
+  } else if (goals_->has_new()) {
+    note_unrepeatable("a goal has come after goal_patience of " +
+                      number_text(parts_->params.goal_patience) + " s");
+  }
 }
 
 /// The global costmap's window and the robot in it follow from the transforms that are waited for.
 void MoveBaseNode::prepare_lockstep() {
   constexpr double kMapLimit_s = 30.0;  // wall time
-  await(kMapLimit_s, [this] { return parts_->global->missing().empty(); });
+  if (!await(kMapLimit_s, [this] { return parts_->global->missing().empty(); })) {
+    note_unrepeatable(parts_->global->missing() + " within " + number_text(kMapLimit_s) + " s");
+  }
   if (parts_->params.localization_lead < 0.0) return;
   parts_->global->set_robot_source(
       [this](double now_s, std::string* problem) -> std::optional<Pose2> {

@@ -211,9 +211,9 @@ class Outcome:
 def default_parameters(robot: Robot, has_map: bool = False) -> list[Path]:
     """The files of parameters of a robot; later ones win."""
     folder = package_folder("trident_bringup") / _CONFIG
-    names = ["costmaps.yaml", "move_base.yaml", f"robots/{robot.name}.yaml"]
-    if not has_map:
-        names.insert(2, "mapless.yaml")
+    names = ["costmaps.yaml", "move_base.yaml", "repeatable.yaml"]
+    names += [] if has_map else ["mapless.yaml"]
+    names.append(f"robots/{robot.name}.yaml")
     return [folder / name for name in names]
 
 

@@ -50,7 +50,8 @@ class MoveBaseNode {
   void run_in_lockstep();
   void answer(double stamp_s);
   void prepare_lockstep();
-  void await_transform(double stamp_s) const;
+  void await_transform(double stamp_s);
+  void note_unrepeatable(const std::string& why);
   void await_localization(double stamp_s);
   void await_goal();
   std::optional<Pose2> T_global_local(double now_s, std::string* problem) const;
