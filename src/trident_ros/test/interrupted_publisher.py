@@ -15,7 +15,7 @@ from trident_ros import init_node
 
 
 class Interrupting(list[Any]):
-    """What a connection has to send: whoever adds to it holds the connection's lock."""
+    """What a connection has to send; its lock is held while something is added."""
 
     def append(self, data: Any) -> None:
         """SIGINT arrives here."""
