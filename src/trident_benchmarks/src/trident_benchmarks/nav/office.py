@@ -162,31 +162,41 @@ def is_reached(goal: GoalOutcome, limits: RobotLimits) -> bool:
     )
 
 
-def row_of(
-    robot: Robot, limits: RobotLimits, tours: Sequence[Tour], runs: Sequence[Outcome]
-) -> dict[str, Any]:
-    """What came of all goals of a robot."""
+def _time_ratios(
+    limits: RobotLimits, tours: Sequence[Tour], runs: Sequence[Outcome]
+) -> list[float]:
+    """Times of the goals that were reached, over their lower bounds."""
     goals = [goal for run in runs for goal in run.goals]
     bounds = [bound for tour in tours for bound in tour.bounds_s]
-    reached = [is_reached(goal, limits) for goal in goals]
-    ratios = [
+    return [
         goal.time_s / bound
-        for goal, bound, ok in zip(goals, bounds, reached, strict=True)
-        if ok and bound > 0.0
+        for goal, bound in zip(goals, bounds, strict=True)
+        if is_reached(goal, limits) and bound > 0.0
     ]
-    driven_s = sum(goal.time_s for goal in goals)
-    failures = [
+
+
+def _failures(limits: RobotLimits, runs: Sequence[Outcome]) -> list[str]:
+    return [
         f"seed {run.seed}, goal {number}: {goal.end}: {goal.text}, off by"
         f" {goal.position_error_m:.3f} m, {goal.heading_error_rad:.3f} rad"
         for run in runs
         for number, goal in enumerate(run.goals, 1)
         if not is_reached(goal, limits)
     ]
+
+
+def row_of(
+    robot: Robot, limits: RobotLimits, tours: Sequence[Tour], runs: Sequence[Outcome]
+) -> dict[str, Any]:
+    """What came of all goals of a robot."""
+    goals = [goal for run in runs for goal in run.goals]
+    ratios = _time_ratios(limits, tours, runs)
+    driven_s = sum(goal.time_s for goal in goals)
     return {
         "suite": "office",
         "robot": robot.name,
         "goals": len(goals),
-        "reached": sum(reached),
+        "reached": sum(is_reached(goal, limits) for goal in goals),
         "contacts": sum(bool(goal.touched) for goal in goals),
         "touched": sorted({goal.touched for goal in goals if goal.touched}),
         "recoveries": sum(goal.recoveries for goal in goals),
@@ -196,7 +206,7 @@ def row_of(
         "said_reached": sum(goal.end == "reached" for goal in goals),
         "localization_error_m": max(run.localization_error_m for run in runs),
         "cpu_s_per_s": sum(run.cpu_s for run in runs) / driven_s if driven_s else None,
-        "failures": failures,
+        "failures": _failures(limits, runs),
         "recovery_causes": [text for run in runs for text in run.recoveries],
         "unit": "time_over_bound: 1 (median); cpu_s_per_s: CPU s per simulated s",
     }

@@ -106,6 +106,7 @@ def row_of(system: str, runs: Sequence[dict[str, Any]]) -> dict[str, Any]:
     touches = [touch for run in runs for touch in run["touches"]]
     # What somebody pushes is not driving by itself.
     speeds = [touch["own_speed_m_s"] for touch in touches if not touch["is_pushed"]]
+    pushed = [touch["own_speed_m_s"] for touch in touches if touch["is_pushed"]]
     share = len(arrived) / len(runs)
     fastest = max(speeds, default=0.0)
     driven_s = sum(run["time_s"] for run in runs)
@@ -116,7 +117,8 @@ def row_of(system: str, runs: Sequence[dict[str, Any]]) -> dict[str, Any]:
         "arrived": share,
         "arrived_limit": ARRIVED_LIMIT,
         "touches": len(touches),
-        "touches_while_pushed": len(touches) - len(speeds),
+        "touches_while_pushed": len(pushed),
+        "fastest_while_pushed_m_s": max(pushed, default=0.0),
         "fastest_own_m_s": fastest,
         "own_limit_m_s": SPEED_LIMIT_M_S,
         "touches_beyond_limit": sum(speed > SPEED_LIMIT_M_S for speed in speeds),
@@ -125,12 +127,12 @@ def row_of(system: str, runs: Sequence[dict[str, Any]]) -> dict[str, Any]:
         "cpu_s_per_s": sum(run["navigation_cpu_s"] for run in runs) / driven_s,
         "unit": "arrived: 1; fastest_own: m/s towards whom it touches; mean_time: s",
         "passed": share >= ARRIVED_LIMIT and fastest <= SPEED_LIMIT_M_S,
-        "failures": [
-            f"seed {run['seed']}: {run['wall'] or run['text'] or 'time is over'}"
-            for run in runs
-            if run not in arrived
-        ],
+        "failures": [_failure(run) for run in runs if run not in arrived],
     }
+
+
+def _failure(run: dict[str, Any]) -> str:
+    return f"seed {run['seed']}: {run['wall'] or run['text'] or 'time is over'}"
 
 
 def table(rows: Sequence[dict[str, Any]]) -> str:
