@@ -32,6 +32,8 @@ NO_NODES = {
     "gazebo_ros/gazebo": "a shell script that starts gzserver",
     "gazebo_ros/gzclient": "a shell script without a node",
     "gazebo_ros/perf": "a shell script that starts gzserver in a profiler",
+    "trident_benchmarks/nav_drive_pains": "reads scenes from a file; never calls ros::init",
+    "trident_benchmarks/nav_people": "reads crossings from a file; never calls ros::init",
     "trident_benchmarks/nav_trial": "reads a task from a file; never calls ros::init",
     "trident_eval/fleet_markers.py": "becomes trident_viewer's",
     "trident_eval/hold_at.py": "becomes trident_viewer's",

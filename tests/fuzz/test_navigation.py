@@ -115,6 +115,8 @@ COSTMAP = {
     "width": 6.0,
     "height": 6.0,
     "robot_radius": 0.2,
+    # Apart from the one that is published, which is of another type: the master knows one a topic.
+    "footprint_topic": "robot_footprint",
     "update_frequency": 20.0,
     "publish_frequency": 20.0,
     "plugins": [
@@ -209,13 +211,13 @@ def test_a_drive_to_goals_waits_on(ros: Ros, tmp_path: Path) -> None:
     target = Target("/drive")
     eventually(lambda: "/move_base/recovery_status" in target.subscriptions(), "its subscriptions")
     endures(target, messages(10))
-    # What it has started takes an interrupt as soon as one node of it is there.
-    is_there = partial(ros.master.lookupNode, "/fuzz", "/robot_state_publisher")
+    # What it has started takes an interrupt as soon as one node of each is there.
+    find = partial(ros.master.lookupNode, "/fuzz")
 
     def has_started() -> bool:
         assert process.running, process.log[-3000:]
         assert "RLException" not in process.log, process.log[-3000:]
-        return bool(is_there()[0] == 1)
+        return all(find(node)[0] == 1 for node in ("/robot_state_publisher", "/move_base"))
 
     eventually(has_started, "the nodes of the drive", START_LIMIT_S)
     assert process.stop(limit_s=60.0) != 0, process.log[-3000:]  # it has reached no goal

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
@@ -14,6 +17,7 @@ namespace trident::nav {
 namespace {
 
 constexpr int kCircleCorners = 16;
+constexpr double kFarthest_m = 1000.0;  // of a corner, in each coordinate
 
 std::string corner_text(const Point2& p) {
   return '[' + number_text(p.x) + ", " + number_text(p.y) + ']';
@@ -66,14 +70,14 @@ bool contains_origin(const std::vector<Point2>& points) {
   return inside;
 }
 
-void require_finite(const std::vector<Point2>& points) {
+void require_corners(const std::vector<Point2>& points) {
   if (points.size() < 3) {
     throw Error("a footprint polygon must have at least 3 corners, this one has " +
                 std::to_string(points.size()));
   }
   for (const Point2& p : points) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
-      throw Error("the footprint corner " + corner_text(p) + " must be finite");
+    if (!(std::fabs(p.x) <= kFarthest_m) || !(std::fabs(p.y) <= kFarthest_m)) {
+      throw Error("the footprint corner " + corner_text(p) + " must be finite, up to +-1000 m");
     }
   }
 }
@@ -175,7 +179,7 @@ Point2 moved_corner(const Point2& before, const Point2& corner, const Point2& af
 /// origin to the nearest side, the circumscribed one that to the farthest corner, as costmap_2d has
 /// them.
 Footprint polygon_footprint(std::vector<Point2> points) {
-  require_finite(points);
+  require_corners(points);
   require_simple(points);
   const double area = twice_area(points);
   if (area == 0.0) throw Error("the footprint polygon has no area");
@@ -214,16 +218,52 @@ Footprint padded_footprint(const Footprint& footprint, double padding) {
   return polygon_footprint(std::move(points));
 }
 
-Footprint grown_footprint(const Footprint& footprint, double distance) {
-  if (footprint.points.empty()) return circle_footprint(footprint.circumscribed_radius + distance);
-  const std::vector<Point2>& points = footprint.points;
+namespace {
+
+/// Nothing where the moved sides are no polygon.
+std::optional<Footprint> with_moved_sides(const std::vector<Point2>& points, double distance) {
   const std::size_t n = points.size();
   std::vector<Point2> moved;
   for (std::size_t i = 0; i < n; ++i) {
     moved.push_back(
         moved_corner(points[(i + n - 1) % n], points[i], points[(i + 1) % n], distance));
   }
-  return polygon_footprint(std::move(moved));
+  try {
+    return polygon_footprint(std::move(moved));
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+/// Counter-clockwise; the monotone chain of A. Andrew, "Another efficient algorithm for convex
+/// hulls in two dimensions", Information Processing Letters 9(5), 1979.
+std::vector<Point2> convex_hull(std::vector<Point2> points) {
+  std::sort(points.begin(), points.end(), [](const Point2& a, const Point2& b) {
+    return std::tie(a.x, a.y) < std::tie(b.x, b.y);
+  });
+  std::vector<Point2> hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t begin = hull.size();
+    for (const Point2& p : points) {
+      while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0.0) {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();  // the other side begins there
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+}  // namespace
+
+// The sides of a notch that is narrower than twice the distance cross each other once moved.
+Footprint grown_footprint(const Footprint& footprint, double distance) {
+  if (footprint.points.empty()) return circle_footprint(footprint.circumscribed_radius + distance);
+  if (const auto grown = with_moved_sides(footprint.points, distance)) return *grown;
+  if (const auto grown = with_moved_sides(convex_hull(footprint.points), distance)) return *grown;
+  return circle_footprint(footprint.circumscribed_radius + distance);
 }
 
 std::vector<Point2> footprint_corners(const Footprint& footprint, const Pose2& pose) {

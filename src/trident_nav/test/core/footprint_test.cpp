@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "trident_base/error.h"
@@ -53,6 +54,27 @@ TEST(FootprintTest, PolygonsThatCannotBeAreRefusedWithTheReason) {
   EXPECT_NE(error_of("0.3").find("[[x, y], [x, y], ...]"), std::string::npos);
   EXPECT_THROW(circle_footprint(0.0), Error);
   EXPECT_THROW(padded_footprint(circle_footprint(0.1), -0.2), Error);
+}
+
+TEST(FootprintTest, ANotchNarrowerThanTwiceTheDistanceIsFilledByGrowth) {
+  const Footprint forked = polygon_footprint({{-0.3, -0.2},
+                                              {0.3, -0.2},
+                                              {0.3, -0.01},
+                                              {0.1, -0.01},
+                                              {0.1, 0.01},
+                                              {0.3, 0.01},
+                                              {0.3, 0.2},
+                                              {-0.3, 0.2}});
+  const Footprint grown = grown_footprint(forked, 0.05);
+  ASSERT_EQ(grown.points.size(), 4U);
+  EXPECT_NEAR(grown.inscribed_radius, 0.25, 1e-12);
+  EXPECT_NEAR(grown.circumscribed_radius, std::hypot(0.35, 0.25), 1e-12);
+  EXPECT_EQ(grown_footprint(forked, 0.005).points.size(), 8U);
+}
+
+TEST(FootprintTest, CornersAreAtMostAKilometerAway) {
+  EXPECT_NE(error_of("[[1,1],[-1001,0],[1,-1]]").find("up to +-1000 m"), std::string::npos);
+  EXPECT_EQ(error_of("[[1,1],[-1000,0],[1,-1]]"), "");
 }
 
 TEST(FootprintTest, CornersAtAPose) {

@@ -30,7 +30,7 @@ std::vector<Point2> parse_polygon(const std::string& text);
 Footprint padded_footprint(const Footprint& footprint, double padding);
 
 /// A footprint whose edges are moved outwards by `distance` >= 0 [m]; at sharp corners a little
-/// less. Throws Error as polygon_footprint() does.
+/// less. Where moved edges would cross, as in a narrow notch, those of the convex hull are moved.
 Footprint grown_footprint(const Footprint& footprint, double distance);
 
 /// The corners of a footprint at a pose; a circle gives a polygon of 16 corners on it, as
