@@ -40,7 +40,7 @@ class Controller {
   virtual ControlDetails details() const { return {}; }
   /// Points in the grid's frame that trajectories shall pass near, in place of those that a law
   /// takes from the path; nothing: its own. Laws without such points ignore them.
-  virtual void set_via_points(std::optional<std::vector<Point2>> /*points*/) {}
+  virtual void set_via_points(const std::optional<std::vector<Point2>>& /*points*/) {}
 };
 
 /// A control law within what all laws share: checked input, pruned path, arrival, turn to the
@@ -56,8 +56,8 @@ class GuardedController final : public Controller {
   void reset() override;
   void set_watched(const WatchedDetails& watched) override { watch_.wanted = watched; }
   ControlDetails details() const override { return watch_.noted; }
-  void set_via_points(std::optional<std::vector<Point2>> points) override {
-    via_points_ = std::move(points);
+  void set_via_points(const std::optional<std::vector<Point2>>& points) override {
+    via_points_ = points;
   }
 
  private:

@@ -46,8 +46,8 @@ class StagedController final : public Controller {
   void reset() override { newest().reset(); }
   void set_watched(const WatchedDetails& watched) override { newest().set_watched(watched); }
   ControlDetails details() const override { return current_->details(); }
-  void set_via_points(std::optional<std::vector<Point2>> points) override {
-    newest().set_via_points(std::move(points));
+  void set_via_points(const std::optional<std::vector<Point2>>& points) override {
+    newest().set_via_points(points);
   }
 
  private:
