@@ -24,6 +24,8 @@ install(TARGETS trident_nav_navigator
 
 if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(trident_nav_navigator_test
+    test/navigator/avoided_places_test.cpp
+    test/navigator/navigator_drive_test.cpp
     test/navigator/navigator_test.cpp
     test/navigator/recovery_test.cpp
     test/navigator/robot_world.cpp

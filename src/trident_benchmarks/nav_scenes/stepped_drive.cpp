@@ -3,18 +3,12 @@
 #include "stepped_drive.h"
 
 #include <cmath>
-#include <ctime>
 
 #include "odometry.h"
+#include "thread_cpu.h"
 
 namespace trident::benchmarks {
 namespace {
-
-double thread_cpu_s() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 SE3 planar(const nav::Pose2& pose) {
   return SE3::from_xyz_rpy({pose.x, pose.y, 0.0}, 0.0, 0.0, pose.yaw);

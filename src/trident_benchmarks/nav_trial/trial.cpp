@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <deque>
 #include <memory>
 #include <utility>
@@ -12,16 +11,11 @@
 #include "map_localizer.h"
 #include "navigation_stack.h"
 #include "simulated_robot.h"
+#include "thread_cpu.h"
 #include "trident_maps/map_file.h"
 
 namespace trident::benchmarks {
 namespace {
-
-double thread_cpu_s() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double between(const nav::Pose2& a, const nav::Pose2& b) {
   return nav::distance(a.x, a.y, b.x, b.y);

@@ -4,22 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
-#include "navigator/robot_world.h"
 #include "trident_base/angle.h"
-#include "trident_maps/distance_field.h"
 #include "trident_nav/core/footprint.h"
-#include "trident_nav/navigator/avoided_places.h"
-#include "trident_nav/planning/planner_registry.h"
 
 namespace trident::nav {
 namespace {
-
-using testing::RobotWorld;
-using testing::Wall;
 
 /// Answers as it is scripted.
 class ScriptedWorld : public NavigatorWorld {
@@ -277,13 +268,6 @@ TEST(PathKeeper, KeepsAFreePathAgainstOneThatIsHardlyBetter) {
   EXPECT_TRUE(keeper.offer(old, 10.5, {0.0, 5.0, 0.0}, 0.2, world));            // it was left
 }
 
-RobotWorld::Setup office() {
-  RobotWorld::Setup setup;
-  setup.start = {0.6, 2.0, 0.0};
-  setup.mapped = {{3.0, 0.0, 3.1, 2.6}};
-  return setup;
-}
-
 TEST_F(ScriptedNavigator, ARobotThatGetsNowhereLooksForAnotherPath) {
   Navigator navigator = make();
   navigator.set_goal({3.0, 0.0, 0.0}, 0.0);
@@ -338,179 +322,6 @@ TEST_F(ScriptedNavigator, AnOldStateIsTakenToWhereTheRobotIsNow) {
   EXPECT_NEAR(controller_.seen.pose.x, 1.0, 1e-9);
   EXPECT_NEAR(controller_.seen.pose.y, 1.1, 1e-9);
   EXPECT_EQ(controller_.seen.time_s, input_.now_s - 0.1);
-}
-
-/// Free ground with a wall across that has gaps.
-class WallWithGaps : public ::testing::Test {
- protected:
-  void make(const std::vector<double>& gaps_m) {
-    OccupancyGrid map;
-    map.width = 120;
-    map.height = 80;
-    map.resolution = 0.05;
-    map.cells.assign(120 * 80, OccupancyGrid::kFree);
-    for (int y = 0; y < map.height; ++y) {
-      const double y_m = 0.05 * (y + 0.5);
-      const bool is_gap = std::any_of(gaps_m.begin(), gaps_m.end(),
-                                      [&](double gap_m) { return std::fabs(y_m - gap_m) < 0.35; });
-      if (!is_gap) map.cells[static_cast<std::size_t>(y * 120 + 60)] = OccupancyGrid::kOccupied;
-    }
-    for (const std::int8_t cell : map.cells) {
-      costs_.push_back(cell == OccupancyGrid::kOccupied ? kLethalCost : kFreeCost);
-    }
-    const maps::DistanceField field(map, 2.0);
-    for (int y = 0; y < map.height; ++y) {
-      const auto row = field.padded().begin() + (y + 1) * field.stride() + 1;
-      distances_m_.insert(distances_m_.end(), row, row + map.width);
-    }
-    grid_ = {{120, 80, 0.05, 0.0, 0.0}, costs_.data(), distances_m_.data(), 2.0F, 1};
-  }
-  Path plan() {
-    const CancelFlag never{false};
-    return avoided_
-        .plan(*planner_, grid_, circle_footprint(0.2), {1.0, 1.0, 0.0}, {5.0, 1.0, 0.0},
-              {0.5, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 2.0, 0.0}, never)
-        .path;
-  }
-  static double highest(const Path& path) {
-    double y = 0.0;
-    for (const Pose2& pose : path) y = std::max(y, pose.y);
-    return y;
-  }
-
-  std::unique_ptr<Planner> planner_ =
-      builtin_planners().get("navfn/NavfnROS")(parse_yaml("{}", "test"), "test");
-  AvoidedPlaces avoided_;
-  CostGrid grid_;
-  std::vector<std::uint8_t> costs_;
-  std::vector<float> distances_m_;
-};
-
-TEST_F(WallWithGaps, PlansLeadThroughTheOtherGapAfterTheRobotGotStuckInOne) {
-  make({1.0, 3.0});
-  const Path direct = plan();
-  EXPECT_LT(highest(direct), 1.5);
-  avoided_.add(grid_, circle_footprint(0.45), {direct.begin() + 30, direct.end()});
-  EXPECT_FALSE(avoided_.is_empty());
-  EXPECT_GT(highest(plan()), 2.5);
-}
-
-/// Notes the grids that it is given.
-class NotingPlanner : public Planner {
- public:
-  PlanOutcome plan(const CostGrid& grid, const Footprint&, const Pose2& start, const Pose2& goal,
-                   const MotionLimits&, const CancelFlag&) override {
-    costs.assign(grid.cost, grid.cost + grid.geometry.size());
-    revision = grid.revision;
-    return {{start, goal}, Failure::kNone, "", 1.0};
-  }
-  std::vector<std::uint8_t> costs;
-  std::uint64_t revision = 0;
-};
-
-TEST_F(WallWithGaps, AGridThatStaysIsGivenToThePlannerUnderTheSameRevision) {
-  make({1.0, 3.0});
-  const Path direct = plan();
-  avoided_.add(grid_, circle_footprint(0.45), {direct.begin() + 30, direct.end()});
-  NotingPlanner planner;
-  const auto plan_from = [&](double x) {
-    const CancelFlag never{false};
-    avoided_.plan(planner, grid_, circle_footprint(0.2), {x, 1.0, 0.0}, {5.0, 1.0, 0.0},
-                  MotionLimits{}, never);
-    return planner.revision;
-  };
-  const std::uint64_t far = plan_from(1.0);
-  const auto blocked = planner.costs;
-  EXPECT_NE(blocked, costs_);
-  EXPECT_EQ(plan_from(1.05), far);
-  EXPECT_NE(plan_from(3.0), far);  // the robot is in the place: its surroundings stay free
-  EXPECT_NE(planner.costs, blocked);
-  const std::uint64_t again = plan_from(1.0);
-  EXPECT_EQ(planner.costs, blocked);
-  costs_[5] = 77;
-  ++grid_.revision;
-  EXPECT_NE(plan_from(1.0), again);
-  EXPECT_EQ(planner.costs[5], 77);
-}
-
-TEST_F(WallWithGaps, TheOnlyGapIsTriedAgain) {
-  make({1.0});
-  const Path direct = plan();
-  avoided_.add(grid_, circle_footprint(0.45), {direct.begin() + 30, direct.end()});
-  EXPECT_EQ(plan().size(), direct.size());
-  EXPECT_TRUE(avoided_.is_empty());
-}
-
-TEST(Navigator, DrivesAroundAWall) {
-  RobotWorld world(office());
-  world.navigator().set_goal({5.2, 1.0, -1.57}, 0.0);
-  const NavigatorOutput output = world.drive(60.0);
-  EXPECT_EQ(output.text, "Goal reached.");
-  EXPECT_FALSE(world.has_touched());
-  EXPECT_LT(distance(world.state().pose.x, world.state().pose.y, 5.2, 1.0), 0.1);
-  EXPECT_LT(std::fabs(wrap_angle(world.state().pose.yaw + 1.57)), 0.1);
-  EXPECT_TRUE(world.recoveries().empty());
-}
-
-TEST(Navigator, FindsTheOtherRouteWhereTheMapIsWrong) {
-  RobotWorld::Setup setup = office();
-  setup.mapped = {{3.0, 0.6, 3.1, 3.4}};
-  setup.unmapped = {{3.0, 3.3, 3.1, 4.0}};
-  setup.params.planner_frequency = 2.0;
-  setup.start.y = 2.6;
-  RobotWorld world(setup);
-  world.navigator().set_goal({5.2, 2.6, 0.0}, 0.0);
-  const NavigatorOutput output = world.drive(90.0);
-  EXPECT_EQ(output.text, "Goal reached.");
-  EXPECT_FALSE(world.has_touched());
-}
-
-TEST(Navigator, StandsWhileTheLidarIsSilentAndContinuesByItself) {
-  RobotWorld world(office());
-  world.navigator().set_goal({5.2, 1.0, 0.0}, 0.0);
-  while (world.now_s() < 4.0) world.step();
-  ASSERT_GT(world.state().twist.vx, 0.2);
-  world.set_lidar_on(false);
-  const Pose2 before = world.state().pose;
-  while (world.now_s() < 12.0) world.step();
-  EXPECT_NEAR(world.state().twist.vx, 0.0, 1e-9);
-  // The limit of 0.3 s, a period of it at most, and the braking distance from 0.5 m/s.
-  EXPECT_LT(distance(before.x, before.y, world.state().pose.x, world.state().pose.y),
-            0.5 * 0.45 + 0.5 * 0.5 / 2.0);
-  EXPECT_NE(world.waiting().find("scan"), std::string::npos) << world.waiting();
-  world.set_lidar_on(true);
-  EXPECT_EQ(world.drive(60.0).text, "Goal reached.");
-  EXPECT_FALSE(world.has_touched());
-}
-
-TEST(Navigator, GivesUpAGoalBehindAWallThatOnlyTheLidarSees) {
-  RobotWorld::Setup setup;
-  setup.start = {1.0, 2.0, 0.0};
-  setup.unmapped = {{3.0, 0.0, 3.1, 4.0}};
-  setup.params.planner_frequency = 2.0;
-  RobotWorld world(setup);
-  world.navigator().set_goal({5.0, 2.0, 0.0}, 0.0);
-  const NavigatorOutput output = world.drive(400.0);
-  EXPECT_EQ(output.status, NavigatorStatus::kAborted);
-  EXPECT_NE(output.text.find("goal (5.00, 2.00)"), std::string::npos) << output.text;
-  EXPECT_FALSE(world.has_touched());
-}
-
-TEST(Navigator, GivesUpAWalledInGoalAndNamesIt) {
-  RobotWorld::Setup setup = office();
-  setup.mapped = {{3.0, 0.0, 3.1, 4.0}};
-  RobotWorld world(setup);
-  world.navigator().set_goal({5.2, 1.0, 0.0}, 0.0);
-  const NavigatorOutput output = world.drive(120.0);
-  EXPECT_EQ(output.status, NavigatorStatus::kAborted);
-  EXPECT_EQ(output.text.rfind(
-                "Failed to find a valid plan. Even after executing recovery behaviors. ", 0),
-            0U);
-  EXPECT_GT(output.text.size(), 100U) << output.text;
-  const std::vector<std::string> all = {"conservative_reset", "rotate_recovery", "aggressive_reset",
-                                        "retreat"};
-  EXPECT_EQ(world.recoveries(), all);
-  EXPECT_FALSE(world.has_touched());
 }
 
 }  // namespace

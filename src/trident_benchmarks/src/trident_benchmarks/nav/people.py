@@ -16,7 +16,6 @@ from trident_benchmarks.nav.scene_runs import (
     robot_keys,
     run_documents,
     shares,
-    write_robot,
 )
 from trident_benchmarks.nav.trials import JACKAL, default_parameters
 from trident_benchmarks.results import say
@@ -79,7 +78,7 @@ def crossings(
     """
     world = folder / "hall.world"
     world.write_text(hall_sdf(), encoding="utf-8")
-    keys = robot_keys(JACKAL, write_robot(folder, JACKAL))
+    keys = robot_keys(folder, JACKAL)
     trial = keys | {
         "world": str(world),
         "parameters": [str(file.resolve()) for file in parameters],

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from trident_eval.core.errors import EvalError
-from trident_eval.ros_paths import package_folder, program
+from trident_eval.ros_paths import program
 
 from trident_benchmarks.nav.trials import Robot
 
@@ -32,29 +32,11 @@ def job_count(jobs: int | None) -> int:
     return jobs or len(os.sched_getaffinity(0))
 
 
-def write_robot(folder: Path, robot: Robot) -> Path:
-    """The URDF of a robot of trident_description as a file in a folder."""
-    from trident_sim import expand_xacro
-
+def robot_keys(folder: Path, robot: Robot) -> dict[str, Any]:
+    """What a trial says of its robot, whose description becomes a file in a folder."""
     file = folder / f"{robot.name}.urdf"
-    source = package_folder("trident_description") / "urdf" / f"{robot.name}.urdf.xacro"
-    file.write_text(expand_xacro(source), encoding="utf-8")
-    return file
-
-
-def robot_keys(robot: Robot, urdf: Path) -> dict[str, Any]:
-    """What a trial says of its robot."""
-    return {
-        "robot": str(urdf),
-        "robot_name": robot.name,
-        "lidar": robot.lidar,
-        "scan_topic": robot.scan,
-        "odometry": {
-            "wheel_radius": robot.wheel_radius,
-            "left_joints": robot.left,
-            "right_joints": robot.right,
-        },
-    }
+    file.write_text(robot.urdf(), encoding="utf-8")
+    return robot.keys(file)
 
 
 def run_documents(

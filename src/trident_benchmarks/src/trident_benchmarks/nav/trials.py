@@ -56,6 +56,21 @@ class Robot:
         path = package_folder("trident_description") / "urdf" / f"{self.name}.urdf.xacro"
         return expand_xacro(path, **self.xacro_args)
 
+    def keys(self, urdf: Path) -> dict[str, Any]:
+        """What a trial says of its robot, whose description is in a file."""
+        return {
+            "robot": str(urdf),
+            "robot_name": self.name,
+            "lidar": self.lidar,
+            "scan_topic": self.scan,
+            "odometry": {
+                "topic": self.odometry,
+                "wheel_radius": self.wheel_radius,
+                "left_joints": self.left,
+                "right_joints": self.right,
+            },
+        }
+
 
 @dataclass(frozen=True)
 class MappingRobot(Robot):
@@ -279,13 +294,8 @@ class Trials:
         return [_outcome(json.loads(line)) for line in done.stdout.splitlines()]
 
     def _trial(self, folder: Path, world: Path, task: Task, seeds: Sequence[int]) -> dict[str, Any]:
-        robot = self._robot
-        return {
+        keys = self._robot.keys(folder / "robot.urdf") | {
             "world": str(world),
-            "robot": str(folder / "robot.urdf"),
-            "robot_name": robot.name,
-            "lidar": robot.lidar,
-            "scan_topic": robot.scan,
             "parameters": self._parameters,
             "start": task.start,
             "goal": task.goal,
@@ -294,13 +304,8 @@ class Trials:
             "success_radius_m": task.success_radius_m,
             "moved_m": task.moved_m,
             "goals": task.goals,
-            "odometry": {
-                "topic": robot.odometry,
-                "wheel_radius": robot.wheel_radius,
-                "left_joints": robot.left,
-                "right_joints": robot.right,
-            },
-        } | task.extra
+        }
+        return keys | task.extra
 
 
 def _outcome(record: dict[str, Any]) -> Outcome:

@@ -11,7 +11,7 @@ from typing import Any
 
 from trident_benchmarks.nav import people
 from trident_benchmarks.nav.pains_suite.rows import pain
-from trident_benchmarks.nav.scene_runs import robot_keys, run_documents, write_robot
+from trident_benchmarks.nav.scene_runs import robot_keys, run_documents
 from trident_benchmarks.nav.trials import JACKAL, default_parameters
 
 _SPEED, _BRAKING = 2.0, 5.0  # of jackal's file [m/s], [m/s^2]
@@ -32,7 +32,7 @@ def _documents(
     window = folder / "window.yaml"
     window.write_text(_WINDOW, encoding="utf-8")
     parameters = [*default_parameters(JACKAL), window, *config]
-    trial = robot_keys(JACKAL, write_robot(folder, JACKAL)) | {
+    trial = robot_keys(folder, JACKAL) | {
         "world": str(world),
         "parameters": [str(file.resolve()) for file in parameters],
         "time_limit_s": 60.0,
