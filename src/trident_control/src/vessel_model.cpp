@@ -15,6 +15,7 @@ using MatrixRows36 = std::array<double, 36>;
 
 struct VesselFile {
   std::string name, axes = "flu";
+  bool munk = true;
   double water_density = 1025.0, mass = 0.0;
   Eigen::Vector3d center_of_gravity = Eigen::Vector3d::Zero();
   Eigen::Vector3d inertia = Eigen::Vector3d::Zero();
@@ -28,6 +29,7 @@ struct VesselFile {
   void visit(Archive& ar) {
     ar.required("name", name);
     ar.field("axes", axes);
+    ar.field("munk", munk);
     ar.field("water_density", water_density, Range::positive());
     ar.required("mass", mass, Range::positive());
     ar.field("center_of_gravity", center_of_gravity);
@@ -99,8 +101,10 @@ VesselModel load_vessel_model(const std::string& path) {
   VesselModel model;
   model.name = file.name;
   const double lever = file.center_of_gravity.head<2>().squaredNorm();
-  model.mass = Eigen::Vector3d(file.mass, file.mass, file.inertia.z() + file.mass * lever) +
-               planar(file.added_mass, file.added_mass_matrix);
+  const Eigen::Vector3d added = planar(file.added_mass, file.added_mass_matrix);
+  model.mass =
+      Eigen::Vector3d(file.mass, file.mass, file.inertia.z() + file.mass * lever) + added;
+  model.munk_mass = file.munk ? added[1] - added[0] : 0.0;
   model.linear_damping = planar(file.linear_damping, file.linear_damping_matrix);
   model.quadratic_damping = planar(file.quadratic_damping, file.quadratic_damping_matrix);
   model.water_density = file.water_density;

@@ -22,7 +22,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Point32, Twist
 from harness import Gazebo, Process, Ros, eventually, package, pose, recorder
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
-from nav_msgs.msg import Odometry
+from nav_msgs.msg import OccupancyGrid, Odometry
 from sensor_msgs.msg import LaserScan, PointCloud
 from stand_in import StandIn
 
@@ -170,6 +170,53 @@ def test_a_robot_without_odometry_stands_and_continues_by_itself(
         robot.odometry = publisher
         eventually(lambda: robot.x > at_x + 0.3, "motion again")
     assert client.get_state() == GoalStatus.ACTIVE
+
+
+def hall(least_x: float, greatest_x: float, resolution: float) -> OccupancyGrid:
+    """A free map about the robot's start, 8 m wide."""
+    message = OccupancyGrid()
+    message.header.frame_id = "odom"
+    message.info.resolution = resolution
+    message.info.width = round((greatest_x - least_x) / resolution)
+    message.info.height = round(8.0 / resolution)
+    message.info.origin.position.x, message.info.origin.position.y = least_x, -4.0
+    message.info.origin.orientation.w = 1.0
+    message.data = [0] * (message.info.width * message.info.height)
+    return message
+
+
+def test_a_goal_is_pursued_while_maps_of_other_sizes_and_resolutions_come(
+    ros: Ros, tmp_path: Path, robot: StandIn
+) -> None:
+    file = tmp_path / "parameters.yaml"
+    static = 'plugins: [{name: static_layer, type: "costmap_2d::StaticLayer"}, {'
+    text = PARAMETERS.replace(
+        "rolling_window: true, width: 20.0, height: 20.0,", "publish_frequency: 5.0,", 1
+    )
+    file.write_text(text.replace("plugins: [{", static, 1), encoding="utf-8")
+    subprocess.run(["rosparam", "load", str(file), "/move_base"], check=True)
+    node = ros.launch(["rosrun", "move_base", "move_base"])
+    maps = rospy.Publisher("/map", OccupancyGrid, queue_size=1, latch=True)
+    maps.publish(hall(-2.0, 4.0, 0.1))
+    client = client_of(node)
+    client.send_goal(goal_at(3.0))
+    with recorder("/move_base/global_costmap/costmap", OccupancyGrid) as costmaps:
+
+        def takes(map_: OccupancyGrid) -> None:
+            maps.publish(map_)
+            size = (map_.info.width, map_.info.height)
+            eventually(
+                lambda: any((m.info.width, m.info.height) == size for m in costmaps.messages),
+                f"{size}: {node.log}",
+            )
+
+        eventually(lambda: robot.x > 0.3, "motion")
+        takes(hall(-5.0, 10.0, 0.05))
+        eventually(lambda: robot.x > 0.8, "motion in the second map")
+        takes(hall(-1.0, 5.0, 0.08))
+        assert client.wait_for_result(rospy.Duration(LIMIT_S)), node.log
+    assert client.get_state() == GoalStatus.SUCCEEDED, node.log
+    assert node.running
 
 
 def test_rivals_that_command_the_robot_are_both_named(move_base: Process, robot: StandIn) -> None:

@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 from trident_eval.core.errors import EvalError
+from trident_eval.ros_paths import package_folder
 
 pytest.importorskip("trident_sim", reason="trident_sim is not built or sourced")
 
@@ -19,6 +20,7 @@ from trident_benchmarks.nav import barn
 from trident_benchmarks.nav.fields import Field, metric, read_field, read_fields
 from trident_benchmarks.nav.trials import JACKAL, Outcome, Task, Trials, default_parameters
 
+STACKS = sorted((package_folder("trident_bringup") / "config" / "nav" / "stacks").glob("*.yaml"))
 STRAIGHT = ((-2.25, 3.0), (-2.25, 13.0))  # 10 m: 5 s at full speed
 
 
@@ -130,3 +132,9 @@ def test_the_program_names_a_wrong_key(tmp_path: Path) -> None:
     assert done.returncode == 2
     assert "trial.yaml" in done.stderr
     assert "world" in done.stderr
+
+
+@pytest.mark.parametrize("stack", STACKS, ids=lambda file: file.stem)
+def test_each_stack_of_another_controller_drives(stack: Path) -> None:
+    done = drive(Field(4, (), STRAIGHT), stack, time_limit_s=30.0)
+    assert done.end == "reached", done

@@ -15,7 +15,7 @@ pytest.importorskip("rospy", reason="the workspace is not sourced")
 from nav_msgs.msg import Odometry
 from trident_benchmarks.nav.drive_node import plane_pose
 from trident_benchmarks.nav.goals import Places, Tried
-from trident_benchmarks.nav.pictures import draw_drive
+from trident_benchmarks.nav.pictures.drives import draw_drive
 from trident_sim.occupancy import FREE, OCCUPIED, OccupancyMap
 
 RESOLUTION_M = 0.05

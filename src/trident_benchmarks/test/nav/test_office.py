@@ -13,7 +13,7 @@ from trident_eval.ros_paths import package_folder
 
 pytest.importorskip("trident_sim", reason="trident_sim is not built or sourced")
 
-from trident_benchmarks.nav import office, trials
+from trident_benchmarks.nav import office, tours, trials
 from trident_benchmarks.nav.goals import Places
 from trident_benchmarks.nav.limits import RobotLimits
 from trident_benchmarks.nav.trials import GoalOutcome, KnownMap, Outcome, Trials
@@ -27,25 +27,25 @@ def goal(end: str = "reached", off_m: float = 0.0, touched: str = "") -> GoalOut
 
 
 def test_a_goal_counts_only_if_the_truth_is_within_the_tolerance() -> None:
-    assert office.is_reached(goal(off_m=0.9 * LIMITS.tolerance_m), LIMITS)
-    assert not office.is_reached(goal(off_m=1.1 * LIMITS.tolerance_m), LIMITS)
-    assert not office.is_reached(goal(end="aborted"), LIMITS)
+    assert tours.is_reached(goal(off_m=0.9 * LIMITS.tolerance_m), LIMITS)
+    assert not tours.is_reached(goal(off_m=1.1 * LIMITS.tolerance_m), LIMITS)
+    assert not tours.is_reached(goal(end="aborted"), LIMITS)
 
 
 def test_a_row_counts_goals_contacts_and_recoveries() -> None:
     goals = (goal(), goal(end="timeout", off_m=3.0, touched="wall"))
     run = Outcome(1, "timeout", 20.0, "", (), (), 2.0, goals)
-    tour = office.Tour((0.0, 0.0, 0.0), ((1.0, 2.0, 0.0),) * 2, (8.0, 8.0))
-    row = office.row_of(trials.MY_NAV_ROBOT, LIMITS, [tour], [run])
+    tour = tours.Tour((0.0, 0.0, 0.0), ((1.0, 2.0, 0.0),) * 2, (8.0, 8.0))
+    row = tours.row_of("office", office.driver(*office.ROBOTS[0]), [tour], [run])
     assert (row["goals"], row["reached"], row["contacts"], row["recoveries"]) == (2, 1, 1, 2)
     assert row["time_over_bound"] == pytest.approx(1.25)
     assert row["cpu_s_per_s"] == pytest.approx(0.1)
-    assert "| my_nav_robot | 1 of 2 | 1 | 2 | 1.25 | 0.100 s |" in office.table([row])
+    assert "| my_nav_robot | 1 of 2 | 1 | 2 | 1.25 | 0.100 s |" in tours.table([row])
 
 
 def test_a_robot_that_nobody_knows_is_refused_with_those_known() -> None:
     with pytest.raises(EvalError, match="--robot tractor: not known, legal: ackermann_car"):
-        office.chosen_robots(["tractor"], office.ROBOTS)
+        tours.chosen_robots(["tractor"], office.ROBOTS)
 
 
 @pytest.mark.parametrize("robot", [robot for robot, _ in office.ROBOTS], ids=lambda r: r.name)
@@ -60,17 +60,17 @@ def test_tours_are_the_seeds_and_bounded_from_below() -> None:
 
     grid = OccupancyMap(np.full((200, 200), FREE, dtype=np.int8), 0.05, (-5.0, -7.0))
     places = Places(grid, LIMITS.inscribed_m, LIMITS.circumscribed_m)
-    tour = office.make_tour(places, LIMITS, 3, 4)
-    assert tour == office.make_tour(places, LIMITS, 3, 4)
-    assert tour != office.make_tour(places, LIMITS, 4, 4)
+    tour = tours.make_tour(places, LIMITS, (0.0, -4.5), 3, 4)
+    assert tour == tours.make_tour(places, LIMITS, (0.0, -4.5), 3, 4)
+    assert tour != tours.make_tour(places, LIMITS, (0.0, -4.5), 4, 4)
     assert len(tour.goals) == len(tour.bounds_s) == 4
     assert min(tour.bounds_s) >= 1.0 / LIMITS.speed - 1e-9
 
 
 def test_a_robot_reaches_five_goals_in_the_office_by_map_and_amcl(tmp_path: Path) -> None:
     world = package_folder("trident_bringup") / "worlds" / "office.world"
-    office.true_map(world, (0.115,)).save(tmp_path / "map.pgm")
-    building = office.Building(world, KnownMap(tmp_path / "map.yaml", (0.0, 0.0, 0.0)))
+    tours.true_map(world, (0.115,)).save(tmp_path / "map.pgm")
+    building = tours.Building(world, KnownMap(tmp_path / "map.yaml", (0.0, 0.0, 0.0)))
     goals = (
         (1.5, -4.5, 0.5),
         (1.0, -4.0, 2.5),
@@ -78,11 +78,11 @@ def test_a_robot_reaches_five_goals_in_the_office_by_map_and_amcl(tmp_path: Path
         (-1.0, -4.2, 0.0),
         (0.0, -4.5, 0.0),
     )
-    tour = office.Tour((0.0, -4.5, 0.0), goals, (1.0,) * len(goals))
-    task = office.task_of(trials.MY_NAV_ROBOT, building, tour, 1, LIMITS)
+    tour = tours.Tour((0.0, -4.5, 0.0), goals, (1.0,) * len(goals))
+    task = tours.task_of(trials.MY_NAV_ROBOT, building, tour, 1, LIMITS)
     parameters = trials.default_parameters(trials.MY_NAV_ROBOT, has_map=True)
     run = Trials(trials.MY_NAV_ROBOT, parameters, 1).run([task], [1], lambda *_: None)[0][0]
-    assert [office.is_reached(one, LIMITS) for one in run.goals] == [True] * 5, run.goals
+    assert [tours.is_reached(one, LIMITS) for one in run.goals] == [True] * 5, run.goals
     assert not any(one.touched for one in run.goals)
     assert run.recoveries == ()
     assert run.localization_error_m < 0.1

@@ -19,7 +19,7 @@ from trident_benchmarks.nav.pains_suite.instructions import wide_functions
 from trident_benchmarks.nav.pains_suite.rows import pain, table
 from trident_benchmarks.nav.pains_suite.stack import commands
 from trident_benchmarks.nav.pains_suite.steady_rate import missed_periods, unnamed
-from trident_benchmarks.nav.people_pictures import draw_crossing
+from trident_benchmarks.nav.pictures.people import draw_crossing
 from trident_benchmarks.nav.programs import rows_of
 from trident_benchmarks.nav.scene_runs import run_documents, shares
 from trident_benchmarks.nav.trials import JACKAL, default_parameters

@@ -78,7 +78,7 @@ def test_it_gets_in_and_out(name: str, tmp_path: Path) -> None:
 
 def test_scenes_have_a_picture(tmp_path: Path) -> None:
     from matplotlib.image import imread
-    from trident_benchmarks.nav.tight_pictures import draw_scenes
+    from trident_benchmarks.nav.pictures.tight import draw_scenes
 
     scenery = SCENES["doors"].draw(np.random.default_rng(1))
     run = Outcome(1, "reached", 9.0, "", (), (scenery.start, scenery.goal), 0.1)

@@ -27,6 +27,7 @@ struct VesselState {
 struct VesselModel {
   std::string name;                                ///< as in the file; names the vessel in errors
   Eigen::Vector3d mass = Eigen::Vector3d::Ones();  ///< with added mass, about CO
+  double munk_mass = 0.0;  ///< added mass of sway less that of surge; 0: no Munk moment [kg]
   Eigen::Vector3d linear_damping = Eigen::Vector3d::Zero();     ///< [N s/m, N m s]
   Eigen::Vector3d quadratic_damping = Eigen::Vector3d::Zero();  ///< [N s^2/m^2, N m s^2]
   double water_density = 1025.0;                                ///< [kg/m^3]

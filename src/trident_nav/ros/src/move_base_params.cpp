@@ -131,6 +131,44 @@ const std::vector<std::string>& motion_names() {
   return names;
 }
 
+/// Least values, for those laws that have them, and what they must not exceed.
+struct LeastVelocities {
+  std::optional<double> min_vel_x, min_vel_theta, max_vel_theta, min_vel_trans, max_vel_trans;
+  double max_vel_x = MotionParams{}.max_vel_x;
+
+  template <class Archive>
+  void visit(Archive& ar) {
+    ar.field("max_vel_x", max_vel_x);
+    ar.field("min_vel_x", min_vel_x);
+    ar.field("min_vel_theta", min_vel_theta);
+    ar.field("max_vel_theta", max_vel_theta);
+    ar.field("min_vel_trans", min_vel_trans);
+    ar.field("max_vel_trans", max_vel_trans);
+  }
+  void validate() const {
+    check("min_vel_x", min_vel_x, "max_vel_x", max_vel_x);
+    check("min_vel_theta", min_vel_theta, "max_vel_theta", max_vel_theta);
+    check("min_vel_trans", min_vel_trans, "max_vel_trans", max_vel_trans);
+  }
+
+ private:
+  static void check(const std::string& low, const std::optional<double>& least,
+                    const std::string& high, const std::optional<double>& most) {
+    if (!least || !most || *least <= *most) return;
+    throw Error(low + " is " + number_text(*least) + ", legal is at most " + high + ", which is " +
+                number_text(*most));
+  }
+};
+
+/// Throws ConfigError where a least velocity of a local planner exceeds the greatest one.
+void check_least_velocities(const ConfigNode& given, const std::string& name_space) {
+  ConfigNode part = empty_map();
+  for (const ConfigField& field : config_fields<LeastVelocities>()) {
+    if (const ConfigNode* value = given.find(field.name)) put(&part, field.name, *value);
+  }
+  load_config_node<LeastVelocities>(part, name_space);
+}
+
 MotionLimits limits_of(const MotionParams& p) {
   return {p.max_vel_x,         std::min(p.min_vel_x, 0.0),
           p.max_vel_y,         p.max_vel_theta,
@@ -193,6 +231,7 @@ ControllerConfig read_controller_config(const ConfigNode* node, const std::strin
     if (auto value = take(&result.law, name)) put(&motion, name, std::move(*value));
   }
   const auto params = load_config_node<MotionParams>(motion, name_space);
+  check_least_velocities(result.given, name_space);
   result.setup.limits = limits_of(params);
   result.setup.command_delay_s = params.command_delay;
   result.setup.tolerance.xy_goal_tolerance = params.xy_goal_tolerance;

@@ -47,6 +47,17 @@ std::string problem_of(const RobotState& state, const Path& path, const CostGrid
   return path.empty() ? "The path has no poses." : "";
 }
 
+/// The way of a base whose twist stays as it is.
+ConsideredTrajectory held(const RobotState& state, const Twist2& twist) {
+  constexpr double kDuration_s = 1.5, kStep_s = 0.1;
+  ConsideredTrajectory trajectory;
+  for (int i = 0; i * kStep_s <= kDuration_s; ++i) {
+    const double after_s = i * kStep_s;
+    trajectory.points.push_back({after_s, integrate(state.pose, twist, after_s), twist});
+  }
+  return trajectory;
+}
+
 ControlSetup granted(ControlSetup setup, const ControlLaw& law) {
   setup.validate();
   setup.limits = law.limits(setup.limits);
@@ -222,6 +233,12 @@ CommandOutcome GuardedController::commanded(const RobotState& measured, const Pa
                             : propose(state, path, grid, tracks, window);
   CommandOutcome outcome = guarded(state, std::move(proposal), window, grid, tracks);
   if (!turns) law_->on_sent(outcome.twist);
+  if (watch_.wanted.trajectories && !watch_.noted.selected) {
+    // Not all laws weigh trajectories.
+    watch_.noted.time_s = state.time_s;
+    watch_.noted.selected = watch_.noted.trajectories.size();
+    watch_.noted.trajectories.push_back(held(state, outcome.twist));
+  }
   return outcome;
 }
 

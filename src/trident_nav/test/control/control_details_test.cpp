@@ -30,6 +30,8 @@ constexpr Shown kLaws[] = {
     {"dwb", "{}", false, false},
     {"teb", "{}", false, false},
     {"mppi", "{}", false, false},
+    {"regulated_pure_pursuit", "{}", false, false},
+    {"graceful", "{}", false, false},
     {"mppi", "{visualize: true, TrajectoryVisualizer: {trajectory_step: 50}}", true, false},
 };
 

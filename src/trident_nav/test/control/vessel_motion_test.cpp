@@ -105,6 +105,32 @@ TEST(VesselMotion, ATurningHullSlidesOutward) {
   EXPECT_LT(last(rollouts, rollouts.vy), -0.02);
 }
 
+TEST(VesselMotion, ADriftingHullIsTurnedAbeam) {
+  MppiModel model = catamaran();
+  stop_thrusters(&model);
+  EXPECT_EQ(model.vessel.munk_mass, 0.0) << "the file leaves the Munk moment out";
+  model.vessel.munk_mass = 5.4;
+  const double u = 1.0, v = 0.2;
+  const Rollouts rollouts = sailed(model, {0.0, {u, v, 0.0}}, 0.0F, 0.0F);
+  // After one step, with the drag of rest: I dr/dt = -munk_mass u v.
+  const double gain = model.dt_s / model.vessel.mass[2];
+  const double expected =
+      -gain * 5.4 * u * v / (1.0 + gain * model.vessel.linear_damping[2]);
+  EXPECT_NEAR(static_cast<double>(rollouts.wz[0]), expected, 1e-5);
+}
+
+TEST(VesselMotion, RuddersSteerWithTheSquareOfTheSpeed) {
+  MppiModel model = catamaran();
+  stop_thrusters(&model);
+  model.vessel.rudder_moment = 3.0;
+  const auto first_rate = [&](double u) {
+    const Rollouts rollouts = sailed(model, {0.0, {u, 0.0, 0.0}}, static_cast<float>(u), 9.0F);
+    return static_cast<double>(rollouts.wz[0]);
+  };
+  EXPECT_EQ(first_rate(0.0), 0.0);
+  EXPECT_NEAR(first_rate(1.0), 4.0 * first_rate(0.5), 1e-5);
+}
+
 TEST(VesselMotion, AModelWithoutAFileIsRefusedByKey) {
   const auto make = [](const std::string& params) {
     return make_controller("mppi", jackal(), parse_yaml(params, "vessel.yaml"), "vessel.yaml");

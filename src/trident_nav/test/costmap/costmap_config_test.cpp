@@ -212,6 +212,17 @@ std::string error_of(const std::string& yaml) {
   return "";
 }
 
+TEST(CostmapConfigTest, WrongTypesInNav2sFormAreErrorsThatNameKeyAndValue) {
+  const std::string begin = "local_costmap:\n  local_costmap:\n    ros__parameters:";
+  const std::string width = error_of(begin + "\n      width: wide\n      plugins: []\n");
+  EXPECT_NE(width.find("width"), std::string::npos) << width;
+  EXPECT_NE(width.find("wide"), std::string::npos) << width;
+  const std::string map = error_of(begin + " 5\n");
+  EXPECT_NE(map.find("a map"), std::string::npos) << map;
+  const std::string rolling = error_of(begin + "\n      rolling_window: [1]\n");
+  EXPECT_NE(rolling.find("rolling_window"), std::string::npos) << rolling;
+}
+
 TEST(CostmapConfigTest, ValuesThatCannotBeAreErrorsThatNameKeyValueAndRange) {
   EXPECT_NE(error_of("width: -1").find("width"), std::string::npos);
   EXPECT_NE(error_of("width: -1").find("> 0"), std::string::npos);

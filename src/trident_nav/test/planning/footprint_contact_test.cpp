@@ -64,6 +64,20 @@ TEST(FootprintContact, IgnoredCellsAreFree) {
   EXPECT_TRUE(contact.in_contact({1.65, 1.5, 0.0}));
 }
 
+TEST(FootprintContact, WhatIsALittleInAWallMayLeaveIt) {
+  TestGrid grid(60, 60, kFreeCost, 0.05);
+  for (int x = 0; x < 60; ++x) grid(x, 20) = kLethalCost;  // from y = 1.0 to 1.05
+  auto contact = checker(grid, box(0.4, 0.4));
+  const Pose2 start{1.5, 1.23, 0.0};
+  ASSERT_TRUE(contact.in_contact(start));
+  EXPECT_FALSE(contact.let_leave({1.5, 1.1, 0.0}, 0.03)) << "the wall is under the robot";
+  EXPECT_TRUE(contact.in_contact(start)) << "a refusal changes nothing";
+  EXPECT_TRUE(contact.let_leave(start, 0.03));
+  EXPECT_FALSE(contact.in_contact(start));
+  EXPECT_TRUE(contact.in_contact({1.5, 1.15, 0.0})) << "deeper into the wall";
+  EXPECT_TRUE(contact.in_contact({2.1, 1.23, 0.0})) << "farther away the whole footprint counts";
+}
+
 /// Whether the square of a cell and a convex polygon overlap: by the axes of both (separating axis
 /// theorem).
 bool overlaps(const std::vector<Point2>& polygon, double x, double y, double side) {

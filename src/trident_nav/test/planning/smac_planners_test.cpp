@@ -21,6 +21,13 @@
 namespace trident::nav {
 namespace {
 
+/// Defaults, but for a time that no machine is too slow for.
+SmacHybridParams patient() {
+  SmacHybridParams params;
+  params.max_planning_time = 1e4;
+  return params;
+}
+
 using testing::kRunning;
 using testing::TestGrid;
 
@@ -100,7 +107,7 @@ struct HybridCase {
 class SmacHybrid : public ::testing::TestWithParam<HybridCase> {};
 
 TEST_P(SmacHybrid, PathsOnRandomMapsAreFreeAndKeepTheTurningRadius) {
-  SmacHybridParams params;
+  SmacHybridParams params = patient();
   params.motion_model_for_search = GetParam().model;
   params.minimum_turning_radius = GetParam().radius_m;
   params.smooth_path = GetParam().smooths;
@@ -139,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(Models, SmacHybrid,
 TEST(SmacHybridPlanner, APathInTheOpenIsTheShortestCurve) {
   TestGrid grid(400, 400, kFreeCost, 0.05);
   grid.measure_distances(1.0F);
-  SmacHybridPlanner planner{SmacHybridParams{}};
+  SmacHybridPlanner planner{patient()};
   const Pose2 start{3.0, 10.0, 0.0};
   for (const Pose2& goal : {Pose2{15.0, 12.0, 0.5}, Pose2{3.0, 8.0, 3.0}, Pose2{5.0, 10.0, -2.0}}) {
     const PlanOutcome outcome = run(planner, grid.view(), start, goal);
@@ -160,9 +167,9 @@ TEST(SmacHybridPlanner, OnlyReedsSheppBacksOutOfADeadEnd) {
   }
   grid.measure_distances(2.0F);
   const Pose2 start{5.25, 5.02, 0.0};
-  SmacHybridPlanner forwards{SmacHybridParams{}};
+  SmacHybridPlanner forwards{patient()};
   EXPECT_EQ(run(forwards, grid.view(), start, {2.0, 5.0, 0.0}).failure, Failure::kNoPath);
-  SmacHybridParams params;
+  SmacHybridParams params = patient();
   params.motion_model_for_search = SmacMotionModel::kReedsShepp;
   SmacHybridPlanner both{params};
   const PlanOutcome outcome = run(both, grid.view(), start, {2.0, 5.0, 0.0});
@@ -176,13 +183,13 @@ TEST(SmacHybridPlanner, AGoalThatCannotBeEnteredIsReplacedWithinTheTolerance) {
   grid.measure_distances(2.0F);
   // The robot's back is at the wall: forwards nothing leads there.
   const Pose2 goal{5.30, 5.0, 0.0};
-  SmacHybridParams params;
+  SmacHybridParams params = patient();
   params.tolerance = 0.0;
   SmacHybridPlanner strict{params};
   const PlanOutcome refused = run(strict, grid.view(), {8.0, 8.0, 3.0}, goal);
   EXPECT_EQ(refused.failure, Failure::kNoPath);
   EXPECT_NE(refused.reason.find("leave no room"), std::string::npos) << refused.reason;
-  SmacHybridPlanner tolerant{SmacHybridParams{}};
+  SmacHybridPlanner tolerant{patient()};
   const PlanOutcome outcome = run(tolerant, grid.view(), {8.0, 8.0, 3.0}, goal);
   ASSERT_EQ(outcome.failure, Failure::kNone) << outcome.reason;
   EXPECT_LE(distance(outcome.path.back().x, outcome.path.back().y, goal.x, goal.y), 0.25);
@@ -191,7 +198,7 @@ TEST(SmacHybridPlanner, AGoalThatCannotBeEnteredIsReplacedWithinTheTolerance) {
 
 TEST(SmacHybridPlanner, TheRobotsOwnTurningRadiusCounts) {
   TestGrid grid(300, 300, kFreeCost, 0.05);
-  SmacHybridPlanner planner{SmacHybridParams{}};
+  SmacHybridPlanner planner{patient()};
   MotionLimits limits;
   limits.min_turning_radius = 1.5;
   const PlanOutcome outcome =
@@ -202,7 +209,7 @@ TEST(SmacHybridPlanner, TheRobotsOwnTurningRadiusCounts) {
 
 TEST(SmacHybridPlanner, FewIterationsEndWithAReason) {
   const auto map = bench::office_map(300, 300, 5);
-  SmacHybridParams params;
+  SmacHybridParams params = patient();
   params.max_iterations = 1;
   params.analytic_expansion_max_length = 0.01;
   SmacHybridPlanner planner{params};
@@ -229,7 +236,7 @@ TEST(SmacHybridPlanner, ChangedCostsAreSeen) {
   TestGrid grid(200, 200, kFreeCost, 0.05);
   for (int y = 0; y < 190; ++y) grid(100, y) = kLethalCost;
   grid.measure_distances(2.0F);
-  SmacHybridPlanner planner{SmacHybridParams{}};
+  SmacHybridPlanner planner{patient()};
   const Pose2 start{3.0, 5.0, 0.0}, goal{7.0, 5.0, 0.0};
   ASSERT_EQ(run(planner, grid.view(), start, goal).failure, Failure::kNone);
   for (int y = 190; y < 200; ++y) grid(100, y) = kLethalCost;

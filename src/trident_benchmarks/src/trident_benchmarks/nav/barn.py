@@ -8,6 +8,7 @@ import argparse
 import itertools
 import os
 import statistics
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,8 @@ from trident_benchmarks.nav.fields import (
     metric,
     read_fields,
 )
+from trident_benchmarks.nav.launch_files import launch_parameters, node_parameters
+from trident_benchmarks.nav.limits import RobotLimits
 from trident_benchmarks.nav.trials import JACKAL, Outcome, Task, Trials, default_parameters
 from trident_benchmarks.results import say
 
@@ -144,15 +147,48 @@ def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
     if not fields:
         return []
     seeds = range(1, 1 + (options.seeds or (_QUICK_SEEDS if options.quick else _SEEDS)))
-    trials = Trials(JACKAL, [*default_parameters(JACKAL), *options.config], options.jobs)
-    outcomes = trials.run([task_of(field) for field in fields], seeds, _report)
-    row = row_of(fields, outcomes)
+    with tempfile.TemporaryDirectory(prefix="trident_bench_barn_") as name:
+        parameters = [*_parameters(options, Path(name)), *options.config]
+        if options.ros:
+            outcomes = _run_over_ros(fields, parameters, seeds)
+        else:
+            trials = Trials(JACKAL, parameters, options.jobs)
+            outcomes = trials.run([task_of(field) for field in fields], seeds, _report)
+    row = row_of(fields, outcomes) | {"system": _system(options)}
     print(table([row, *RIVALS]))
     if options.picture is not None:
-        from trident_benchmarks.nav.field_pictures import draw_fields
+        from trident_benchmarks.nav.pictures.fields import draw_fields
 
         draw_fields(options.picture, fields, outcomes)
     return [row]
+
+
+def _run_over_ros(
+    fields: Sequence[Field], parameters: Sequence[Path], seeds: Sequence[int]
+) -> list[list[Outcome]]:
+    from trident_benchmarks.nav.barn_ros import run_field
+
+    limits = RobotLimits(default_parameters(JACKAL)[-1])
+    outcomes = []
+    for field in fields:
+        outcomes.append([run_field(field, parameters, limits, seed) for seed in seeds])
+        _report(task_of(field), outcomes[-1])
+    return outcomes
+
+
+def _parameters(options: argparse.Namespace, folder: Path) -> list[Path]:
+    """The default ones, or those of a launch file."""
+    if options.launch is None:
+        return default_parameters(JACKAL)
+    tree = launch_parameters(options.launch)
+    return [node_parameters(tree, "move_base", folder / "move_base.yaml")]
+
+
+def _system(options: argparse.Namespace) -> str:
+    """What the row is of: the default configuration, or what was given."""
+    given = [Path(word).name for word in options.launch or () if word.endswith(".launch")]
+    given += [file.stem for file in options.config] + (["over ROS"] if options.ros else [])
+    return ", ".join(given) or "this one"
 
 
 def _report(task: Task, runs: list[Outcome]) -> None:

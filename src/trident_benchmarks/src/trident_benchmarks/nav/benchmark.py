@@ -10,7 +10,7 @@ from pathlib import Path
 from trident_benchmarks.options import positive
 
 #: Names of the suites; each is a module of this package with `measure(options)`.
-SUITES = ("barn", "movingai", "office", "pains", "people", "speed", "tight")
+SUITES = ("barn", "movingai", "office", "pains", "people", "speed", "tight", "turtlebot3")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -26,9 +26,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--config", type=Path, action="append", default=[], help="parameters over the default ones"
     )
     parser.add_argument(
-        "--robot", action="append", default=[], help="of the suites office and tight; default: all"
+        "--launch",
+        nargs="+",
+        metavar="WORD",
+        help="of barn: FILE or PACKAGE FILE, and ARG:=VALUE ...; its move_base's parameters alone",
     )
-    parser.add_argument("--goals", type=positive, metavar="N", help="of a seed of office (20)")
+    parser.add_argument(
+        "--robot", action="append", default=[], help="of office, tight and turtlebot3; default: all"
+    )
+    parser.add_argument(
+        "--ros", action="store_true", help="of barn: over ROS, by the action of move_base"
+    )
+    parser.add_argument("--goals", type=positive, metavar="N", help="of a seed of office (20), turtlebot3 (10)")
     parser.add_argument("--scene", action="append", default=[], help="of tight; default: all")
     parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
     parser.add_argument("--picture", type=Path, metavar="FILE.png", help="worlds and tracks")

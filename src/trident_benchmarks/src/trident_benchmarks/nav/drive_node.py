@@ -35,7 +35,7 @@ from trident_eval.ros_paths import package_folder
 from trident_benchmarks.datasets.tour_node import stop
 from trident_benchmarks.nav.goals import Places, Pose, Tried, Verdict, lower_bound_s
 from trident_benchmarks.nav.limits import RobotLimits
-from trident_benchmarks.nav.pictures import draw_drive
+from trident_benchmarks.nav.pictures.drives import draw_drive
 from trident_benchmarks.nav.trials import scan_topic_of
 from trident_benchmarks.procfs import process_cpu_s
 from trident_ros import init_node
@@ -194,7 +194,7 @@ class Drive:
         while not rospy.is_shutdown():
             try:
                 has_map()
-                if _readers_of_simulator() >= _READERS:
+                if readers_of_simulator() >= _READERS:
                     break
             except (rospy.ServiceException, OSError, rosgraph.MasterException):
                 pass
@@ -268,7 +268,7 @@ class Drive:
         self._children.append(subprocess.Popen(command, start_new_session=True))
 
 
-def _readers_of_simulator() -> set[tuple[str, str]]:
+def readers_of_simulator() -> set[tuple[str, str]]:
     """Topic and node of the connections that the simulator has to those who listen to it."""
     api = rosgraph.Master(rospy.get_name()).lookupNode("/gazebo")
     node: Any = xmlrpc.client.ServerProxy(api)

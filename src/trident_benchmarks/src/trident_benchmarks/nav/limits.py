@@ -7,6 +7,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import numpy.typing as npt
 import yaml
 from trident_eval.core.errors import EvalError
 
@@ -29,16 +30,26 @@ class RobotLimits:
         self.tolerance_m = float(limits.get("xy_goal_tolerance", 0.1))
         self.tolerance_rad = float(limits.get("yaw_goal_tolerance", 0.1))
         costmap = tree.get("local_costmap", {})
-        self.inscribed_m, self.circumscribed_m = _radii(costmap, file)
+        self.corners = _corners(costmap, file)
+        self.inscribed_m, self.circumscribed_m = _radii(costmap, self.corners)
 
 
-def _radii(costmap: dict[str, object], file: Path) -> tuple[float, float]:
+def _corners(costmap: dict[str, object], file: Path) -> npt.NDArray[np.float64]:
+    """Of the footprint, shape (n, 2) [m]; of the square around a circle."""
+    if "robot_radius" in costmap:
+        radius = float(str(costmap["robot_radius"]))
+        return radius * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+    if "footprint" not in costmap:
+        raise EvalError(f"{file}: local_costmap has neither footprint nor robot_radius")
+    return np.array(costmap["footprint"], dtype=float)
+
+
+def _radii(
+    costmap: dict[str, object], corners: npt.NDArray[np.float64]
+) -> tuple[float, float]:
     if "robot_radius" in costmap:
         radius = float(str(costmap["robot_radius"]))
         return radius, radius
-    if "footprint" not in costmap:
-        raise EvalError(f"{file}: local_costmap has neither footprint nor robot_radius")
-    corners = np.array(costmap["footprint"], dtype=float)
     following = np.roll(corners, -1, axis=0)
     edges = following - corners
     along = np.clip(-np.sum(corners * edges, axis=1) / np.sum(edges**2, axis=1), 0.0, 1.0)

@@ -1,46 +1,23 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""The suite office: goals all over a building, in a map made by SLAM, localized by amcl.
-
-The map is made in the run: a drive by every room, as the benchmark of SLAM has it. Each seed has a
-start and goals of its own; the robot drives from one to the next, all of it without ROS.
-"""
+"""The suite office: all ground robots in a building, by the one default configuration."""
 
 from __future__ import annotations
 
 import argparse
-import math
 import tempfile
-import warnings
-from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import numpy as np
-from trident_eval.core.errors import EvalError
 from trident_eval.ros_paths import package_folder
 
 from trident_benchmarks.nav import trials
-from trident_benchmarks.nav.goals import Places, Pose, lower_bound_s
 from trident_benchmarks.nav.limits import RobotLimits
-from trident_benchmarks.nav.trials import GoalOutcome, KnownMap, Outcome, Robot, Task, Trials
-from trident_benchmarks.results import say
-
-if TYPE_CHECKING:
-    from trident_sim.occupancy import OccupancyMap
+from trident_benchmarks.nav.tours import Course, Driver, chosen_robots, drive_all, map_building
+from trident_benchmarks.nav.trials import Robot
 
 WORLD = "office"
-_SEEDS, _QUICK_SEEDS = 10, 1
-_GOALS, _QUICK_GOALS = 20, 5  # of a seed
-_MAP_SEED = 1
-_APART_M = 5.0  # waypoints of the drive that maps
-_MIN_DISTANCE_M = 1.0
-_SPARE_M = 0.1  # beyond the circumscribed circle that a goal has
-_SLOWEST, _LEAST_LIMIT_S = 10.0, 60.0  # times the lower bound of the longest path of all
-_LONGEST_M = 70.0
-_START_SIGMA = (0.1, 0.1, 0.05)
-_MY_LIDAR_NOISE = (0.01, 0.01)  # [m], part of the range: as the benchmark of SLAM has them
+COURSE = Course("office", home=(0.0, -4.5), apart_m=5.0, goals=20, quick_goals=5)
 
 #: Robots, and the heights at which their bodies may touch something [m].
 ROBOTS: tuple[tuple[Robot, tuple[float, ...]], ...] = (
@@ -53,241 +30,15 @@ ROBOTS: tuple[tuple[Robot, tuple[float, ...]], ...] = (
 )
 
 
-@dataclass(frozen=True)
-class Building:
-    """A building as its map says and as it is.
-
-    Attributes:
-        world: SDF file.
-        known: what robots know of it.
-    """
-
-    world: Path
-    known: KnownMap
-
-
-def map_building(folder: Path) -> Building:
-    """Drive by every room and make a map of it by SLAM.
-
-    Args:
-        folder: gets log, trajectories and map.
+def driver(robot: Robot, heights: tuple[float, ...]) -> Driver:
+    """A robot with the default configuration.
 
     Raises:
-        EvalError: the drive or a program failed.
+        EvalError: its file has no limits.
     """
-    from trident_benchmarks.slam.simulated import building, drive_along, map_drive
-
-    place = building(WORLD, folder)
-    tour = place.roads.tour(_MAP_SEED, _APART_M)
-    mapped = folder / "map"
-    numbers, final = map_drive(drive_along(place.world_file, tour, _MAP_SEED), mapped)
-    say(f"map: {numbers['way_m']:.0f} m, RMSE of the poses {final.summary()['ate_rmse_m']:.3f} m")
-    T = final.T_truth_map
-    pose = (float(T[0, 3]), float(T[1, 3]), math.atan2(T[1, 0], T[0, 0]))
-    return Building(place.world_file, KnownMap(mapped / "map.yaml", pose))
-
-
-def true_map(world: Path, heights: Sequence[float]) -> OccupancyMap:
-    """What a robot of some heights may touch."""
-    from trident_sim.occupancy import MapConfig, occupancy_map
-
-    from trident_sim import SimulationWarning, World
-
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", SimulationWarning)
-        return occupancy_map(World(world), MapConfig(heights=tuple(heights)))
-
-
-@dataclass(frozen=True)
-class Tour:
-    """A start, goals and the shortest paths between them.
-
-    Attributes:
-        start: x, y [m], yaw [rad] in the world.
-        goals: the same, one after the other.
-        bounds_s: lower bounds of the time to each.
-    """
-
-    start: Pose
-    goals: tuple[Pose, ...]
-    bounds_s: tuple[float, ...]
-
-
-def make_tour(places: Places, limits: RobotLimits, seed: int, count: int) -> Tour:
-    """Random goals, each reachable from the one before.
-
-    Raises:
-        EvalError: there are no such places.
-    """
-    random = np.random.default_rng((seed, 11))
-    start, _ = places.goal(random, (0.0, -4.5, 0.0), _MIN_DISTANCE_M)
-    here, goals, bounds = start, [], []
-    for _ in range(count):
-        goal, length_m = places.goal(random, here, _MIN_DISTANCE_M)
-        bounds.append(lower_bound_s(length_m, here, goal, limits.speed, limits.turning_rate))
-        goals.append(goal)
-        here = goal
-    return Tour(start, tuple(goals), tuple(bounds))
-
-
-def task_of(robot: Robot, building: Building, tour: Tour, seed: int, limits: RobotLimits) -> Task:
-    """A tour as the program drives it."""
-    limit_s = max(_LEAST_LIMIT_S, _SLOWEST * _LONGEST_M / limits.speed)
-    extra = {
-        "map": building.known.record() | {"start_sigma": _START_SIGMA},
-        "ends_at_contact": False,
-        "seeds": [seed],
-    }
-    if robot is trials.MY_NAV_ROBOT:
-        extra["range_noise"] = _MY_LIDAR_NOISE
-    return Task(
-        name=f"{robot.name}_{seed}",
-        world=building.world.read_text(encoding="utf-8"),
-        start=tour.start,
-        goal=(0.0, 0.0, 0.0),
-        time_limit_s=limit_s,
-        success_radius_m=0.0,
-        moved_m=0.0,
-        goals=tour.goals,
-        extra=extra,
-    )
-
-
-def is_reached(goal: GoalOutcome, limits: RobotLimits) -> bool:
-    """By move_base, and by the truth within the tolerances."""
-    return (
-        goal.end == "reached"
-        and goal.position_error_m <= limits.tolerance_m
-        and goal.heading_error_rad <= limits.tolerance_rad
-    )
-
-
-def _time_ratios(
-    limits: RobotLimits, tours: Sequence[Tour], runs: Sequence[Outcome]
-) -> list[float]:
-    """Times of the goals that were reached, over their lower bounds."""
-    goals = [goal for run in runs for goal in run.goals]
-    bounds = [bound for tour in tours for bound in tour.bounds_s]
-    return [
-        goal.time_s / bound
-        for goal, bound in zip(goals, bounds, strict=True)
-        if is_reached(goal, limits) and bound > 0.0
-    ]
-
-
-def _failures(limits: RobotLimits, runs: Sequence[Outcome]) -> list[str]:
-    return [
-        f"seed {run.seed}, goal {number}: {goal.end}: {goal.text}, off by"
-        f" {goal.position_error_m:.3f} m, {goal.heading_error_rad:.3f} rad"
-        for run in runs
-        for number, goal in enumerate(run.goals, 1)
-        if not is_reached(goal, limits)
-    ]
-
-
-def row_of(
-    robot: Robot, limits: RobotLimits, tours: Sequence[Tour], runs: Sequence[Outcome]
-) -> dict[str, Any]:
-    """What came of all goals of a robot."""
-    goals = [goal for run in runs for goal in run.goals]
-    ratios = _time_ratios(limits, tours, runs)
-    driven_s = sum(goal.time_s for goal in goals)
-    return {
-        "suite": "office",
-        "robot": robot.name,
-        "goals": len(goals),
-        "reached": sum(is_reached(goal, limits) for goal in goals),
-        "contacts": sum(bool(goal.touched) for goal in goals),
-        "touched": sorted({goal.touched for goal in goals if goal.touched}),
-        "recoveries": sum(goal.recoveries for goal in goals),
-        "time_over_bound": float(np.median(ratios)) if ratios else None,
-        "position_error_m": float(np.median([goal.position_error_m for goal in goals])),
-        "heading_error_rad": float(np.median([goal.heading_error_rad for goal in goals])),
-        "said_reached": sum(goal.end == "reached" for goal in goals),
-        "localization_error_m": max(run.localization_error_m for run in runs),
-        "cpu_s_per_s": sum(run.cpu_s for run in runs) / driven_s if driven_s else None,
-        "failures": _failures(limits, runs),
-        "recovery_causes": [text for run in runs for text in run.recoveries],
-        "unit": "time_over_bound: 1 (median); cpu_s_per_s: CPU s per simulated s",
-    }
-
-
-def table(rows: Sequence[dict[str, Any]]) -> str:
-    """Rows as Markdown."""
-    lines = [
-        "| office | reached | contacts | recoveries | time over lower bound | CPU per s |",
-        "|---|---|---|---|---|---|",
-    ]
-    for row in rows:
-        ratio = "-" if row["time_over_bound"] is None else f"{row['time_over_bound']:.2f}"
-        lines.append(
-            f"| {row['robot']} | {row['reached']} of {row['goals']} | {row['contacts']} |"
-            f" {row['recoveries']} | {ratio} | {row['cpu_s_per_s']:.3f} s |"
-        )
-    return "\n".join(lines)
-
-
-def chosen_robots(
-    names: Sequence[str], robots: Sequence[tuple[Robot, Any]]
-) -> list[tuple[Robot, Any]]:
-    """Those of the names, or all.
-
-    Raises:
-        EvalError: a name is not known.
-    """
-    known = {robot.name for robot, _ in robots}
-    for name in names:
-        if name not in known:
-            raise EvalError(f"--robot {name}: not known, legal: {', '.join(sorted(known))}")
-    return [(robot, more) for robot, more in robots if not names or robot.name in names]
-
-
-def drive_robot(
-    robot: Robot, heights: Sequence[float], building: Building, options: argparse.Namespace
-) -> tuple[dict[str, Any], list[Outcome], OccupancyMap]:
-    """All tours of a robot.
-
-    Returns:
-        The row, the runs and the true map.
-
-    Raises:
-        EvalError: a run could not be made.
-    """
-    seeds = range(1, 1 + (options.seeds or (_QUICK_SEEDS if options.quick else _SEEDS)))
-    count = options.goals or (_QUICK_GOALS if options.quick else _GOALS)
     folder = package_folder("trident_bringup") / "config" / "nav" / "robots"
     limits = RobotLimits(folder / f"{robot.name}.yaml")
-    grid = true_map(building.world, heights)
-    places = Places(grid, limits.inscribed_m, limits.circumscribed_m + _SPARE_M)
-    tours = [make_tour(places, limits, seed, count) for seed in seeds]
-    tasks = [
-        task_of(robot, building, tour, seed, limits)
-        for tour, seed in zip(tours, seeds, strict=True)
-    ]
-    parameters = [*trials.default_parameters(robot, has_map=True), *options.config]
-    outcomes = Trials(robot, parameters, options.jobs).run(tasks, [1], _report)
-    runs = [run for one in outcomes for run in one]
-    return row_of(robot, limits, tours, runs), runs, grid
-
-
-def _report(task: Task, runs: list[Outcome]) -> None:
-    for run in runs:
-        reached = sum(goal.end == "reached" for goal in run.goals)
-        touched = [goal.touched for goal in run.goals if goal.touched]
-        say(
-            f"{task.name}: {reached} of {len(run.goals)} reached, contacts {len(touched)},"
-            f" recoveries {len(run.recoveries)}, localization off by up to"
-            f" {run.localization_error_m:.3f} m"
-        )
-        for goal in run.goals:
-            if goal.end != "reached" or goal.touched:
-                x, y, yaw = goal.goal
-                say(
-                    f"  ({x:.2f}, {y:.2f}, {yaw:.2f}): {goal.end}: {goal.text} {goal.touched},"
-                    f" {goal.time_s:.1f} s"
-                )
-        for text in run.recoveries:
-            say(f"  recovery {text}")
+    return Driver(robot, heights, limits, tuple(trials.default_parameters(robot, has_map=True)))
 
 
 def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
@@ -299,16 +50,7 @@ def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
     Raises:
         EvalError: a run could not be made.
     """
-    robots = chosen_robots(options.robot, ROBOTS)
+    drivers = [driver(*chosen) for chosen in chosen_robots(options.robot, ROBOTS)]
     with tempfile.TemporaryDirectory(prefix="trident_bench_office_") as name:
-        building = map_building(Path(name))
-        rows = []
-        for robot, heights in robots:
-            row, runs, grid = drive_robot(robot, heights, building, options)
-            rows.append(row)
-            if options.picture is not None and len(rows) == 1:
-                from trident_benchmarks.nav.pictures import draw_tours
-
-                draw_tours(options.picture, grid, runs)
-    print(table(rows))
-    return rows
+        building = map_building(WORLD, COURSE, Path(name))
+        return drive_all(COURSE, drivers, building, options)

@@ -173,7 +173,7 @@ def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
             for failure in rows[-1]["failures"]:
                 say(f"{system}: {failure}")
         if options.picture is not None:
-            from trident_benchmarks.nav.people_pictures import draw_crossing
+            from trident_benchmarks.nav.pictures.people import draw_crossing
 
             run = crossings(folder, seeds[:1], parameters, options.jobs, frames=True)[0]
             draw_crossing(options.picture, run)

@@ -20,7 +20,7 @@ import numpy as np
 from trident_benchmarks.nav.box_robot import BOX, LENGTH_M, WIDTH_M, limits_file
 from trident_benchmarks.nav.goals import Pose
 from trident_benchmarks.nav.limits import RobotLimits
-from trident_benchmarks.nav.office import chosen_robots
+from trident_benchmarks.nav.tours import chosen_robots
 from trident_benchmarks.nav.trials import CAR, Outcome, Robot, Task, Trials, default_parameters
 from trident_benchmarks.results import say
 
@@ -308,7 +308,7 @@ def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
             rows.append(row_of(scene, runs))
             drawn.append((scene, sceneries, runs))
     if options.picture is not None:
-        from trident_benchmarks.nav.tight_pictures import draw_scenes
+        from trident_benchmarks.nav.pictures.tight import draw_scenes
 
         draw_scenes(options.picture, drawn)
     print(table(rows))

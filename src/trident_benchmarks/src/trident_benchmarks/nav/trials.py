@@ -118,20 +118,25 @@ class KnownMap:
         file: YAML file of the map.
         pose: x, y [m], yaw [rad] of the map's frame in the world.
         localization: "amcl" or "truth".
+        amcl: file of amcl's parameters; None: the default ones.
+        start_sigma: spread of the start that amcl is given: x, y [m], yaw [rad].
     """
 
     file: Path
     pose: tuple[float, float, float]
     localization: str = "amcl"
+    amcl: Path | None = None
+    start_sigma: tuple[float, float, float] = (0.1, 0.1, 0.05)
 
     def record(self) -> dict[str, Any]:
         """As the program has it."""
-        amcl = package_folder("trident_bringup") / "config" / "localization" / "amcl.yaml"
+        default = package_folder("trident_bringup") / "config" / "localization" / "amcl.yaml"
         return {
             "file": str(self.file.resolve()),
             "pose": self.pose,
             "localization": self.localization,
-            "amcl": str(amcl),
+            "amcl": str(self.amcl or default),
+            "start_sigma": self.start_sigma,
         }
 
 

@@ -74,12 +74,13 @@ class Loops:
     false: int
 
 
-def building(name: str, folder: Path) -> Building:
+def building(name: str, folder: Path, start: tuple[float, float] = (0.0, 0.0)) -> Building:
     """Cut a world and look for paths through it.
 
     Args:
         name: of a file in worlds/, or a file.
         folder: where the true map goes.
+        start: a free point from which all that is mapped can be reached.
 
     Raises:
         EvalError: there is no such world.
@@ -98,8 +99,8 @@ def building(name: str, folder: Path) -> Building:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SimulationWarning)
         world = World(file)
-        true_map = occupancy_map(world, MapConfig(heights=(_LIDAR_Z_M,)))
-        roads = Roads(occupancy_map(world, MapConfig(heights=_ROBOT_HEIGHTS_M)))
+        true_map = occupancy_map(world, MapConfig(heights=(_LIDAR_Z_M,), start=start))
+        roads = Roads(occupancy_map(world, MapConfig(heights=_ROBOT_HEIGHTS_M, start=start)))
     true_map.save(folder / "true_map.pgm")
     return Building(file, roads, read_grid(folder / "true_map.yaml"))
 

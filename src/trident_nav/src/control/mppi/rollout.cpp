@@ -94,6 +94,8 @@ struct VesselStep {
   float linear[3], quadratic[3];
   float least[3], most[3];  // forces
   float surge_mass;         // of the centrifugal force in sway
+  float munk_mass;
+  float rudder[3];  // more force to both sides, over the square of the speed
   float current_x, current_y;
 };
 
@@ -108,6 +110,9 @@ VesselStep vessel_step(const MppiModel& model) {
     step.most[k] = static_cast<float>(vessel.force_max[k]);
   }
   step.surge_mass = static_cast<float>(vessel.mass[0]);
+  step.munk_mass = static_cast<float>(vessel.munk_mass);
+  step.rudder[1] = static_cast<float>(vessel.rudder_force);
+  step.rudder[2] = static_cast<float>(vessel.rudder_moment);
   step.current_x = static_cast<float>(vessel.current.x);
   step.current_y = static_cast<float>(vessel.current.y);
   return step;
@@ -115,11 +120,13 @@ VesselStep vessel_step(const MppiModel& model) {
 
 // The velocity through water after a step, as near to the wanted one as the forces allow. Drag acts
 // on the velocity at the step's end, so that no step is too long for it.
-TRIDENT_INLINE float driven(const VesselStep& step, int axis, float v, float wanted, float load) {
+// `load`: a force beside them; `steered`: of rudders, to both sides.
+TRIDENT_INLINE float driven(const VesselStep& step, int axis, float v, float wanted, float load,
+                            float steered) {
   const float damping =
       1.0F + step.gain[axis] * (step.linear[axis] + step.quadratic[axis] * absolute(v));
-  const float lo = (v + step.gain[axis] * (step.least[axis] + load)) / damping;
-  const float hi = (v + step.gain[axis] * (step.most[axis] + load)) / damping;
+  const float lo = (v + step.gain[axis] * (step.least[axis] + load - steered)) / damping;
+  const float hi = (v + step.gain[axis] * (step.most[axis] + load + steered)) / damping;
   return clamped(wanted, lo, hi);
 }
 
@@ -134,9 +141,13 @@ TRIDENT_INLINE void drive_vessel(const VesselStep& step, const State& before, St
     const float u = before.vx[i] - along;
     // Water that flows past a turning hull pushes it outward.
     const float outward = -step.surge_mass * u * before.wz[i];
-    state.vx[i] = driven(step, 0, u, state.vx[i] - along, 0.0F) + along;
-    state.vy[i] = driven(step, 1, before.vy[i] - across, state.vy[i] - across, outward) + across;
-    state.wz[i] = driven(step, 2, before.wz[i], state.wz[i], 0.0F);
+    const float v = before.vy[i] - across;
+    const float abeam = -step.munk_mass * u * v;
+    const float side = step.rudder[1] * u * u;
+    const float turn = step.rudder[2] * u * u;
+    state.vx[i] = driven(step, 0, u, state.vx[i] - along, 0.0F, 0.0F) + along;
+    state.vy[i] = driven(step, 1, v, state.vy[i] - across, outward, side) + across;
+    state.wz[i] = driven(step, 2, before.wz[i], state.wz[i], abeam, turn);
     vx[i] = state.vx[i];
     vy[i] = state.vy[i];
     wz[i] = state.wz[i];

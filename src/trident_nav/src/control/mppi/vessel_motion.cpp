@@ -49,6 +49,13 @@ void add_moment(const ThrusterParams& thruster, Interval* range) {
   range->add(lever * force.least, lever * force.greatest);
 }
 
+// The greatest side force of a rudder over the square of the speed: at the angle that it reaches
+// before it stalls.
+double rudder_force(const RudderParams& rudder, double water_density) {
+  const double angle = std::min(rudder.max_angle, rudder.stall_angle);
+  return 0.5 * water_density * rudder.area * rudder.lift_slope() * angle;
+}
+
 }  // namespace
 
 VesselMotion load_vessel_motion(const VesselConstraintsParams& params) {
@@ -73,6 +80,12 @@ VesselMotion load_vessel_motion(const VesselConstraintsParams& params) {
     motion.linear_damping[i] = model.linear_damping[axis];
     motion.quadratic_damping[i] = model.quadratic_damping[axis];
   }
+  for (const RudderParams& rudder : model.rudders) {
+    const double force = rudder_force(rudder, model.water_density);
+    motion.rudder_force += force;
+    motion.rudder_moment += force * std::fabs(rudder.position.x());
+  }
+  motion.munk_mass = model.munk_mass;
   motion.current = {params.current[0], params.current[1]};
   return motion;
 }

@@ -162,12 +162,29 @@ bool FootprintContact::in_contact(const Pose2& pose) const {
   return any_span(pose, [this](int y, Span span) { return row_blocked(y, span); });
 }
 
+const Footprint& FootprintContact::footprint_at(const Pose2& pose) const {
+  if (smaller_.points.empty()) return footprint_;
+  const double reach = 2.0 * footprint_.circumscribed_radius;
+  return distance(pose.x, pose.y, left_.x, left_.y) < reach ? smaller_ : footprint_;
+}
+
+bool FootprintContact::let_leave(const Pose2& pose, double depth_m) {
+  const double scale = 1.0 - depth_m / footprint_.inscribed_radius;
+  if (footprint_.points.empty() || !(scale > 0.0)) return false;
+  smaller_ = footprint_;
+  for (Point2& p : smaller_.points) p = {scale * p.x, scale * p.y};
+  left_ = pose;
+  if (!in_contact(pose)) return true;
+  smaller_.points.clear();
+  return false;
+}
+
 // Calls visit(row, span) for the cells that the polygon covers, until it returns true.
 template <class Visit>
 bool FootprintContact::any_span(const Pose2& pose, Visit&& visit) const {
   static thread_local CellPolygon polygon;
   static thread_local std::vector<double> xs;
-  place(grid_.geometry, footprint_, pose, polygon);
+  place(grid_.geometry, footprint_at(pose), pose, polygon);
   const int first = static_cast<int>(std::floor(polygon.low_y + kTouch));
   const int last = static_cast<int>(std::ceil(polygon.high_y - kTouch)) - 1;
   const auto to_span = [](double low, double high) {
@@ -191,7 +208,7 @@ bool FootprintContact::any_span(const Pose2& pose, Visit&& visit) const {
 
 bool FootprintContact::convex_in_contact(const Pose2& pose) const {
   static thread_local CellPolygon polygon;
-  place(grid_.geometry, footprint_, pose, polygon);
+  place(grid_.geometry, footprint_at(pose), pose, polygon);
   const ConvexRows rows(polygon);
   for (int y = rows.first(); y <= rows.last(); ++y) {
     const int from = static_cast<int>(std::floor(rows.low(y) + kTouch));

@@ -30,6 +30,10 @@ class FootprintContact {
   /// From now on the cells under the footprint at this pose are free: the robot stands there, so
   /// that what is marked there is no obstacle. For a circle those at 253 within two radii, too.
   void ignore_under(const Pose2& pose);
+  /// From now on, within two circumscribed radii of a pose, the footprint counts as smaller by a
+  /// depth [m]: a robot that stands a little in an obstacle can leave it. False, and nothing
+  /// changes: the smaller one is in contact at the pose, too, or the footprint has no points.
+  bool let_leave(const Pose2& pose, double depth_m);
   const Footprint& footprint() const { return footprint_; }
 
  private:
@@ -42,6 +46,7 @@ class FootprintContact {
   template <class Visit>
   bool any_span(const Pose2& pose, Visit&& visit) const;
   bool row_blocked(int y, Span span) const;
+  const Footprint& footprint_at(const Pose2& pose) const;
   bool convex_in_contact(const Pose2& pose) const;
   bool circle_in_contact(const Pose2& pose) const;
 
@@ -51,7 +56,9 @@ class FootprintContact {
   bool is_convex_ = false;
   int words_ = 0;
   bool ignores_ = false;
-  Pose2 ignored_;                       ///< Of a circle.
+  Pose2 ignored_;      ///< Of a circle.
+  Footprint smaller_;  ///< Without points: none.
+  Pose2 left_;         ///< Where the smaller footprint counts.
   std::vector<std::uint64_t> blocked_;  ///< One bit per cell, rows of `words_`.
 };
 

@@ -18,6 +18,9 @@ namespace {
 constexpr int kTurns = 8;
 constexpr std::size_t kTurnedPlaces = 5;
 
+/// A start may be so deep in an obstacle, and the turns away from it swing the footprint as deep.
+constexpr double kLeaveDepthCells = 1.5;
+
 std::string number_text(double value, const char* unit) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.2f %s", value, unit);
@@ -100,16 +103,24 @@ Footprint PoseRoute::checked_footprint(const Footprint& footprint, double resolu
   return grown_footprint(footprint, resolution / (8.0 * options_.search.radius));
 }
 
+void PoseRoute::allow_start(Request& request, FootprintContact& contact) {
+  const double depth_m = kLeaveDepthCells * request.grid.geometry.resolution;
+  if (contact.let_leave(request.start, depth_m)) {
+    comment(request.outcome, "The footprint reaches into an obstacle at the start; near it, it is "
+                             "taken to be smaller by " + number_text(depth_m, "m") + ".");
+    return;
+  }
+  contact.ignore_under(request.start);
+  comment(request.outcome, "The footprint covers an obstacle at the start, which is ignored.");
+}
+
 bool PoseRoute::leave_start(Request& request, FootprintContact& contact, double reach_m) const {
   const GridGeometry& g = request.grid.geometry;
   PoseSearch::Query& query = request.query;
   query.start = to_cells(g, request.start);
   query.start_heading = static_cast<unsigned>(motions_.nearest_heading(request.start.yaw));
   query.offset = request.start.yaw - motions_.heading(query.start_heading);
-  if (contact.in_contact(request.start)) {
-    contact.ignore_under(request.start);
-    comment(request.outcome, "The footprint covers an obstacle at the start, which is ignored.");
-  }
+  if (contact.in_contact(request.start)) allow_start(request, contact);
   const Cell cell = g.cell(request.start.x, request.start.y);
   const std::vector<Cell> escape = escape_cells(request.grid, open_cells_, cell, reach_m);
   if (escape.empty()) {

@@ -52,6 +52,7 @@ class PoseRoute {
   };
 
   Footprint checked_footprint(const Footprint& footprint, double resolution) const;
+  static void allow_start(Request& request, FootprintContact& contact);
   bool leave_start(Request& request, FootprintContact& contact, double reach_m) const;
   bool find_goal(Request& request, const FootprintContact& contact, const CurveChecker& checker);
   std::vector<Pose2> goal_places(const Request& request) const;
