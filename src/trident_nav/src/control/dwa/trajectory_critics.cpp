@@ -40,12 +40,14 @@ class GridCritic final : public TrajectoryCritic {
     const Pose2 pose = candidate.pose(scene.situation.state.pose, step);
     const int index = step * kLanes + candidate.lane;
     const auto i = static_cast<std::size_t>(index);
-    // A point that is ahead of the goal would pull back.
-    const double ahead_m = std::min(forward_point_m_, 0.5 * scene.goal_distance_m);
+    const Pose2& end = scene.situation.path.poses.back();
+    // A point beyond the goal would pull back.
+    const double left_m = distance(pose.x, pose.y, end.x, end.y);
+    const double ahead_m =
+        scene.situation.path.reaches_goal ? std::min(forward_point_m_, left_m) : forward_point_m_;
     const double x = pose.x + ahead_m * static_cast<double>(candidate.rollouts->cosine[i]);
     const double y = pose.y + ahead_m * static_cast<double>(candidate.rollouts->sine[i]);
     if (kind_ == GridKind::kPath) return static_cast<double>(scene.path_grid.at(x, y));
-    const Pose2& end = scene.situation.path.poses.back();
     const double straight = distance(x, y, end.x, end.y) / scene.resolution;
     // Next to the goal cells are too coarse.
     const bool is_near = scene.goal_distance_m < kStraightCells * scene.resolution;
