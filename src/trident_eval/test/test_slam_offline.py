@@ -55,9 +55,10 @@ def test_a_log_becomes_a_folder(
 def test_a_program_that_fails_is_quoted(
     stand_in: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    (tmp_path / "slam_offline").write_text("#!/bin/sh\necho 'slam_offline: no scan' >&2; exit 1\n")
+    script = "#!/bin/sh\necho 'scans: /s' >&2\necho 'slam_offline: no scan' >&2; exit 1\n"
+    (tmp_path / "slam_offline").write_text(script)
     assert main(["slam", str(stand_in / "other.log"), "--out", str(tmp_path / "out")]) == 2
-    assert "trident: no scan" in capsys.readouterr().err
+    assert capsys.readouterr().err == "scans: /s\ntrident: no scan\n"
 
 
 def test_a_program_that_quotes_bytes_is_quoted(

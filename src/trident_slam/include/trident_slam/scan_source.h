@@ -53,6 +53,10 @@ class ScanSource {
   virtual const LogProblems& problems() const = 0;
   /// Part of the log that is read, 0 .. 1; 0 where its length is unknown.
   virtual double progress() const = 0;
+  /// What was chosen to be read, in one line; empty where there was no choice.
+  virtual std::string chosen() const { return {}; }
+  /// False where the log has none: `T_odom_base` stays what it is.
+  virtual bool has_odometry() const { return true; }
 };
 
 }  // namespace trident::slam

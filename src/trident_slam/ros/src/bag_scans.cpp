@@ -112,6 +112,17 @@ class BagScans::Impl {
     return problems_;
   }
 
+  std::string chosen() const {
+    std::string text = "scans: " + scan_topic_;
+    if (!intake_options_.odom_frame.empty() && has_odometry_) {
+      const std::string frames = intake_options_.odom_frame + " -> " + intake_options_.base_frame;
+      text += "; odometry: " + (odom_topic_.empty() ? frames + " in /tf" : odom_topic_);
+    }
+    return imu_topic_.empty() ? text : text + "; turning rates: " + imu_topic_;
+  }
+
+  bool has_odometry() const { return has_odometry_; }
+
   double progress() const {
     return view_.empty() ? 1.0 : static_cast<double>(at_) / static_cast<double>(view_.size());
   }
@@ -230,7 +241,8 @@ class BagScans::Impl {
     const std::string& odom = intake_options_.odom_frame;
     const std::string& base = intake_options_.base_frame;
     problems_.add(path_ + ": has no odometry, neither " + odom + " -> " + base +
-                  " in /tf nor a topic of nav_msgs/Odometry: scans alone");
+                  " in /tf nor a topic of nav_msgs/Odometry");
+    has_odometry_ = false;
     set_fixed(odom, base);
   }
 
@@ -315,6 +327,7 @@ class BagScans::Impl {
   std::string scan_topic_;
   std::string odom_topic_;
   std::string imu_topic_;
+  bool has_odometry_ = true;
   tf2::BufferCore transforms_;
   ScanIntakeOptions intake_options_;
   std::unique_ptr<ScanIntake> intake_;
@@ -333,5 +346,9 @@ bool BagScans::next(ScanRecord& record) { return impl_->next(record); }
 const LogProblems& BagScans::problems() const { return impl_->problems(); }
 
 double BagScans::progress() const { return impl_->progress(); }
+
+std::string BagScans::chosen() const { return impl_->chosen(); }
+
+bool BagScans::has_odometry() const { return impl_->has_odometry(); }
 
 }  // namespace trident::slam

@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <utility>
 
 #include "trident_base/error.h"
@@ -39,6 +41,13 @@ std::string stamp_text(const ros::Time& stamp) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.3f", stamp.toSec());
   return text;
+}
+
+/// A length of time as a user reads it, of three digits.
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof(text), seconds < 1e3 ? "%.3g" : "%.0f", seconds);
+  return std::string(text) + " s";
 }
 
 void check(const sensor_msgs::LaserScan& message) {
@@ -237,7 +246,7 @@ std::string ScanIntake::why_no_gyro(const LaserScan& scan) const {
   if (!newest_ns) return "no message of the IMU has come";
   const double end = 1e-9 * static_cast<double>(scan.stamp_ns - *newest_ns) + sweep_duration(scan);
   if (end > 0.0) {
-    return "the newest rate is " + number_text(end) + " s older than the end of the sweep";
+    return "the newest rate is " + seconds_text(end) + " older than the end of the sweep";
   }
   return "rates leave a gap in the sweep, or begin after it did";
 }
@@ -266,6 +275,19 @@ std::string ScanIntake::why_missing(const sensor_msgs::LaserScan& message) const
   return why;
 }
 
+/// The first stamp from which on a transform is known, by bisection: tf2 does not tell it.
+ros::Time ScanIntake::oldest_after(const std::string& target, const std::string& source,
+                                   const ros::Time& unknown, const ros::Time& known) const {
+  std::uint64_t low = unknown.toNSec();
+  std::uint64_t high = known.toNSec();
+  while (high - low > 1) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    const bool is_known = transforms_.canTransform(target, source, ros::Time().fromNSec(middle));
+    (is_known ? high : low) = middle;
+  }
+  return ros::Time().fromNSec(high);
+}
+
 /// What a user can act on: which transform, whether it is late, too old or unknown, and by how
 /// much.
 std::string ScanIntake::lateness(const std::string& target, const std::string& source,
@@ -275,11 +297,12 @@ std::string ScanIntake::lateness(const std::string& target, const std::string& s
     if (transforms_.canTransform(target, source, stamp)) return {};
     const ros::Time newest = transforms_.lookupTransform(target, source, ros::Time(0)).header.stamp;
     if (newest < stamp) {
-      return name + " is late: the newest is " + number_text((stamp - newest).toSec()) +
-             " s older than the scan";
+      return name + " is late: the newest is " + seconds_text((stamp - newest).toSec()) +
+             " older than the scan";
     }
-    return name + " is not known that far back: the newest is " +
-           number_text((newest - stamp).toSec()) + " s younger than the scan";
+    const ros::Time oldest = oldest_after(target, source, stamp, newest);
+    return name + " is not known that far back: the oldest is " +
+           seconds_text((oldest - stamp).toSec()) + " younger than the scan";
   } catch (const tf2::TransformException&) {
     return name + " is not known at all";
   }

@@ -131,10 +131,22 @@ TEST_F(ScanIntakeTest, SaysWhenAFrameIsNotKnownAtAll) {
 
 TEST_F(ScanIntakeTest, SaysWhenATransformIsForgottenAlready) {
   odometry(100.0, 1.0);
+  odometry(101.0, 1.0);
   add(scan(10.0));
   add(scan(10.3));
   intake_.take();
-  EXPECT_NE(intake_.last_problem().find("is not known that far back: the newest is 90 s younger"),
+  EXPECT_NE(
+      intake_.last_problem().find("is not known that far back: the oldest is 90 s younger than"),
+      std::string::npos)
+      << intake_.last_problem();
+}
+
+TEST_F(ScanIntakeTest, TimesInProblemsHaveThreeDigits) {
+  odometry(100.0 + 1.0 / 70.0, 1.0);
+  add(scan(100.0));
+  add(scan(100.3));
+  intake_.take();
+  EXPECT_NE(intake_.last_problem().find("the oldest is 0.0143 s younger than the scan"),
             std::string::npos)
       << intake_.last_problem();
 }

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import subprocess
 from collections.abc import Callable
@@ -101,7 +102,7 @@ def test_bad_scans_are_counted_and_do_no_harm(ros: Ros, bag: Path, tmp_path: Pat
     assert node.log.count("90 beams from") == 1
 
 
-def offline(log: Path, out: Path) -> subprocess.CompletedProcess[str]:
+def offline(log: Path, out: Path, *more: str) -> subprocess.CompletedProcess[str]:
     name = "slam_offline_bag" if log.suffix == ".bag" else "slam_offline"
     words = [
         program("trident_slam", name),
@@ -110,6 +111,7 @@ def offline(log: Path, out: Path) -> subprocess.CompletedProcess[str]:
         "graph_slam_2d",
         "--out",
         str(out),
+        *more,
     ]
     return subprocess.run(words, capture_output=True, text=True, check=False)
 
@@ -139,6 +141,48 @@ def test_a_bag_of_which_nothing_is_left_is_one_error(bag: Path, tmp_path: Path) 
         assert str(cut) in done.stderr
         assert len(done.stderr.strip().splitlines()) == 1, done.stderr
     assert not (tmp_path / "out" / "map.pgm").exists()
+
+
+def rewritten(good: Path, new: Path, topics: dict[str, list[str]]) -> Path:
+    """A copy of a bag whose topics got other names: none, one or several each."""
+    with rosbag.Bag(str(good)) as source, rosbag.Bag(str(new), "w") as sink:
+        for topic, message, stamp in source.read_messages():
+            for name in topics.get(topic, [topic]):
+                sink.write(name, message, stamp)
+    return new
+
+
+def test_a_bag_without_odometry_is_mapped_as_no_odometry_asks(bag: Path, tmp_path: Path) -> None:
+    bare = rewritten(bag, tmp_path / "bare.bag", {"/tf": []})
+    done = offline(bare, tmp_path / "found")
+    assert done.returncode == 0, done.stderr
+    assert "neither odom -> base_footprint in /tf nor a topic of nav_msgs/Odometry" in done.stderr
+    assert "poses come from the scans alone, as with --no-odometry" in done.stderr
+    assert "stood still" not in done.stderr
+    timing = json.loads((tmp_path / "found" / "timing.json").read_text("utf-8"))
+    assert timing["odometry_calibration"] == {}
+    assert offline(bare, tmp_path / "asked", "--no-odometry").returncode == 0
+    texts = [(tmp_path / out / "trajectory.tum").read_text("utf-8") for out in ("found", "asked")]
+    assert texts[0] == texts[1]
+
+
+def test_the_topics_that_were_chosen_are_told(bag: Path, tmp_path: Path) -> None:
+    two = rewritten(bag, tmp_path / "two.bag", {"/scan": ["/scan", "/scan_2"]})
+    done = offline(two, tmp_path / "out")
+    assert "scans: /scan; odometry: odom -> base_footprint in /tf\n" in done.stderr
+    done = offline(two, tmp_path / "out", "--scan", "/scan_2", "--no-odometry")
+    assert "scans: /scan_2\n" in done.stderr
+    named = rewritten(bag, tmp_path / "named.bag", {"/scan": ["/front", "/rear"]})
+    done = offline(named, tmp_path / "out")
+    assert done.returncode == 1
+    assert "several topics of sensor_msgs/LaserScan: /front, /rear" in done.stderr
+
+
+@pytest.mark.parametrize("name", ["slam_offline", "slam_offline_bag"])
+def test_help_names_the_program(name: str) -> None:
+    words = [program("trident_slam", name), "--help"]
+    done = subprocess.run(words, capture_output=True, text=True, check=True)
+    assert done.stdout.startswith(f"usage: {name} FILE --method NAME")
 
 
 def test_a_recording_that_was_not_ended_is_read(bag: Path, tmp_path: Path) -> None:

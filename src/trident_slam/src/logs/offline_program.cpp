@@ -47,8 +47,14 @@ std::string methods_without_odometry() {
   return methods_that([](const Slam2dFactory& method) { return method.maps_without_odometry; });
 }
 
-std::string usage() {
-  return "usage: PROGRAM FILE --method NAME [--config FILE.yaml] --out DIR [--NAME VALUE ...]\n"
+/// A command line that says too little, or what no option is.
+class UsageError : public Error {
+  using Error::Error;
+};
+
+std::string usage(const std::string& program) {
+  return "usage: " + program +
+         " FILE --method NAME [--config FILE.yaml] --out DIR [--NAME VALUE ...]\n"
          "NAME: " +
          join(builtin_slam_2d().names()) + "\n" + methods_with_sessions() +
          ": --session FILE: continue it, or with `mode: localization` in "
@@ -114,13 +120,13 @@ void take_value(const std::string& word, const std::string& value,
              source_options.end()) {
     options.source[word.substr(2)] = value;
   } else {
-    throw Error("unknown option " + word + "\n" + usage());
+    throw UsageError("unknown option " + word);
   }
 }
 
 void require_complete(const OfflineCommand& options) {
   if (options.log_file.empty() || options.method.empty() || options.out_dir.empty()) {
-    throw Error("FILE, --method and --out are needed\n" + usage());
+    throw UsageError("FILE, --method and --out are needed");
   }
 }
 
@@ -234,14 +240,24 @@ void leave_odometry(Slam2d* slam, const std::string& method) {
   able->set_uses_odometry(false);
 }
 
+/// Of a log that has no odometry; a method that cannot do without has one that stands still.
+void leave_missing_odometry(Slam2d* slam) {
+  auto* able = dynamic_cast<Slam2dOdometryUse*>(slam);
+  if (able == nullptr) return;
+  std::cerr << "poses come from the scans alone, as with --no-odometry\n";
+  able->set_uses_odometry(false);
+}
+
 /// What the log has shown is printed also when the run fails, since it often is the reason.
 void run(const OfflineCommand& options, const OpenSource& open) {
   const Slam2dFactory method = builtin_slam_2d().get(options.method);
   const std::unique_ptr<Slam2d> slam = method(Slam2dSetup(options.config_file));
   if (!options.uses_odometry) leave_odometry(slam.get(), options.method);
   Slam2dSession* const session = with_sessions(slam.get(), options);
-  if (!options.session.empty()) load_session(session, options);
   const std::unique_ptr<ScanSource> log = open(options);
+  if (const std::string chosen = log->chosen(); !chosen.empty()) std::cerr << chosen << '\n';
+  if (options.uses_odometry && !log->has_odometry()) leave_missing_odometry(slam.get());
+  if (!options.session.empty()) load_session(session, options);
   std::error_code error;
   std::filesystem::create_directories(options.out_dir, error);
   if (error) throw Error(options.out_dir + ": cannot be made: " + error.message());
@@ -268,11 +284,14 @@ int run_offline_program(int argc, char** argv, const std::vector<std::string>& s
                         const OpenSource& open) {
   const std::string name = std::filesystem::path(argv[0]).filename().string();
   if (argc == 2 && (std::string(argv[1]) == "-h" || std::string(argv[1]) == "--help")) {
-    std::cout << usage();
+    std::cout << usage(name);
     return 0;
   }
   try {
     run(parse(argc, argv, source_options), open);
+  } catch (const UsageError& error) {
+    std::cerr << name << ": " << with_short_words(error.what()) << '\n' << usage(name);
+    return 1;
   } catch (const std::exception& error) {
     std::cerr << name << ": " << with_short_words(error.what()) << '\n';
     return 1;

@@ -27,6 +27,7 @@ _PGM_HEAD = 4096
 MAX_CELLS = 50_000_000
 _ERROR = "slam_offline: "  # what an error of the program begins with
 _SHOWN_LINES = 5
+_CHOSEN = "scans: "  # what the line begins with that names the topics of a bag
 
 
 @dataclass(frozen=True)
@@ -127,7 +128,8 @@ def _follow(stream: IO[str], show: bool) -> list[str]:
     for line in stream:
         found = _PROGRESS.match(line)
         if found is None:
-            said.append(line.rstrip())
+            if not line.startswith(_CHOSEN):  # it is no reason for a failure
+                said.append(line.rstrip())
             if show and not line.startswith(_ERROR):  # an error is the caller's to say
                 print(("\n" if is_bar_shown else "") + line.rstrip(), file=sys.stderr)
                 is_bar_shown = False

@@ -23,7 +23,7 @@ struct BagScansOptions {
 
 /// Laser scans of a rosbag with the odometry of their stamps: from /tf where it has
 /// odom_frame -> base_frame, else from an odometry topic. A bag that has neither gives poses that
-/// stay where they are, and says so. Scans are taken in the order of recording.
+/// stay where they are, and says so (`has_odometry`). Scans are taken in the order of recording.
 class BagScans : public ScanSource {
  public:
   /// Throws Error naming the file when it is no bag, has no index, or has no scans.
@@ -33,6 +33,8 @@ class BagScans : public ScanSource {
   bool next(ScanRecord& record) override;
   const LogProblems& problems() const override;
   double progress() const override;
+  std::string chosen() const override;
+  bool has_odometry() const override;
 
  private:
   class Impl;

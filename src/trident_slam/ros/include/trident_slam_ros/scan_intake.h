@@ -89,6 +89,8 @@ class ScanIntake {
   /// Whether the yaw rates up to a time are still worth waiting for.
   bool may_rates_come(std::int64_t end_ns) const;
   std::string why_missing(const sensor_msgs::LaserScan& message) const;
+  ros::Time oldest_after(const std::string& target, const std::string& source,
+                         const ros::Time& unknown, const ros::Time& known) const;
   std::string lateness(const std::string& target, const std::string& source,
                        const ros::Time& stamp) const;
   std::string why_no_gyro(const LaserScan& scan) const;
