@@ -6,7 +6,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from trident_eval.core.plots import LEVEL_M, MANY, draw_all, height_range, label, outline_of
+from trident_eval.core.plots import (
+    LEVEL_M,
+    MANY,
+    draw_all,
+    draw_formation_error,
+    draw_paths,
+    height_range,
+    label,
+    outline_of,
+)
 from trident_eval.core.scene import Scene
 from trident_eval.core.tracks import Array, Tracks
 
@@ -62,3 +71,22 @@ def test_a_robot_on_the_ground_has_no_height_to_be_drawn() -> None:
     level[1, 2] += 0.5
     assert height_range(level) == pytest.approx(0.5)
     assert height_range(np.full((4, 3), np.nan)) == 0.0
+
+
+def flown() -> Scene:
+    """Four vehicles that fly in step, with a limit."""
+    time = np.linspace(0.0, 4.0, 30)
+    position = grid(2)[None] + time[:, None, None] * np.array([0.2, 0.1, 0.0])
+    names = [f"UAV{number}" for number in range(4)]
+    tracks = Tracks(names, time, position)
+    return Scene("s", tracks, position + 0.01, formation_limit_m=0.05)
+
+
+def test_the_outlines_of_a_formation_are_in_the_legend_once() -> None:
+    texts = [text.get_text() for text in draw_paths(flown()).legends[0].get_texts()]
+    assert texts == ["UAV0", "UAV1", "UAV2", "UAV3", "command", "formation at moments"]
+
+
+def test_the_limit_of_the_formation_error_is_that_of_its_rms() -> None:
+    legend = draw_formation_error(flown()).axes[0].get_legend()
+    assert "limit of its RMS 0.05 m" in [text.get_text() for text in legend.get_texts()]

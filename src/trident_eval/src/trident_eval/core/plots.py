@@ -50,9 +50,9 @@ def draw_all(scene: Scene, folder: Path) -> list[Path]:
         The files that were written.
     """
     drawings = {
-        "paths.png": _draw_paths,
+        "paths.png": draw_paths,
         "height.png": _draw_height,
-        "formation_error.png": _draw_formation_error,
+        "formation_error.png": draw_formation_error,
         "separation.png": _draw_separation,
         "tracking_error.png": _draw_tracking_error,
     }
@@ -89,7 +89,7 @@ def _new_figure(width: float, height: float) -> Any:
     return Figure(figsize=(width, height), layout="constrained")
 
 
-def _draw_paths(scene: Scene) -> Any:
+def draw_paths(scene: Scene) -> Any:
     """A view in space and one from above; of robots on level ground the latter alone."""
     figure = _new_figure(11.5, 5.4)
     figure.suptitle(f"{scene.title}: paths")
@@ -160,13 +160,16 @@ def _mark_formations(scene: Scene, spaces: list[Any], plan: Any) -> None:
     time = scene.tracks.time
     begin, end = scene.counted_s or (time[0], time[-1])
     many = len(scene.tracks.names) > MANY
+    label = "formation at moments"
     for instant in np.linspace(begin, end, _SNAPSHOTS_OF_MANY if many else _SNAPSHOTS):
         points = scene.tracks.position[int(np.argmin(np.abs(time - instant)))]
         points = points[np.isfinite(points).all(axis=1)]
         if len(points) < 2:
             continue
         outline = outline_of(points)
-        plan.plot(outline[:, 0], outline[:, 1], color="#777777", linewidth=0.9, zorder=4)
+        x, y = outline[:, 0], outline[:, 1]
+        plan.plot(x, y, color="#777777", linewidth=0.9, zorder=4, label=label)
+        label = "_nolegend_"  # once is enough
         plan.plot(points[:, 0], points[:, 1], "o", color="#333333", markersize=3.5, zorder=5)
         for space in spaces:
             space.plot(*outline.T, color="#777777", linewidth=0.9)
@@ -218,14 +221,15 @@ def _draw_height(scene: Scene) -> Any:
     return figure
 
 
-def _draw_formation_error(scene: Scene) -> Any:
+def draw_formation_error(scene: Scene) -> Any:
+    """The error of the shape over time; None of a single vehicle, or without a command."""
     error = scene.formation_error()
     if error is None:
         return None
     figure, axes = _time_figure(scene, "formation error", "RMS after rigid alignment [m]")
     axes.plot(scene.tracks.time, error, color=_COLORS[0], label="all vehicles")
     if scene.formation_limit_m is not None:
-        _limit(axes, scene.formation_limit_m, f"limit of the mean {scene.formation_limit_m:g} m")
+        _limit(axes, scene.formation_limit_m, f"limit of its RMS {scene.formation_limit_m:g} m")
     _fit(axes, scene, error, scene.formation_limit_m)
     _finish(axes)
     return figure

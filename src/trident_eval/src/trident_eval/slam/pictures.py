@@ -27,6 +27,7 @@ CAPTIONS = {
 _COLORS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9")
 _TRUTH, _GOOD, _BAD = "#999999", "#0072B2", "#B00020"
 _ABOVE: dict[str, Any] = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0)}  # of a legend
+_MARGIN_M = 0.5  # around a map, so that its walls do not lie under the axes
 _MAX_ROOM_M = 30.0  # beyond it, thin rays through a window would make the rest small
 
 
@@ -34,7 +35,7 @@ def draw_all(found: Evaluation, folder: Path) -> list[Path]:
     """Draw what there is into an existing folder; returns the files."""
     drawings = {}
     if found.grid is not None or found.trajectories:
-        drawings["map.png"] = partial(_draw_map, found)
+        drawings["map.png"] = partial(draw_map, found)
     if found.relations:
         drawings["relations.png"] = partial(_draw_relations, found)
     if found.absolute:
@@ -56,7 +57,7 @@ def shades(grid: Grid) -> Array:
 
 
 def show_grid(axes: Any, grid: Grid) -> None:
-    """Draw a map into axes in metres, cut to what is known."""
+    """Draw a map into axes in metres, cut to what is known and a margin."""
     rows, columns = np.nonzero(grid.cells >= 0)
     if not len(rows):
         return
@@ -64,11 +65,14 @@ def show_grid(axes: Any, grid: Grid) -> None:
     x0, y0 = grid.origin[:2]
     edges = (x0, x0 + width * grid.resolution, y0, y0 + height * grid.resolution)
     axes.imshow(shades(grid), cmap="gray", vmin=0, vmax=1, origin="lower", extent=edges, zorder=0.5)
-    axes.set_xlim(x0 + columns.min() * grid.resolution, x0 + (columns.max() + 1) * grid.resolution)
-    axes.set_ylim(y0 + rows.min() * grid.resolution, y0 + (rows.max() + 1) * grid.resolution)
+    left, right = x0 + grid.resolution * np.array([columns.min(), columns.max() + 1])
+    bottom, top = y0 + grid.resolution * np.array([rows.min(), rows.max() + 1])
+    axes.set_xlim(left - _MARGIN_M, right + _MARGIN_M)
+    axes.set_ylim(bottom - _MARGIN_M, top + _MARGIN_M)
 
 
-def _draw_map(found: Evaluation) -> Any:
+def draw_map(found: Evaluation) -> Any:
+    """The map and the paths, with their names above."""
     figure = _figure(9.0, 8.0)
     axes = figure.add_subplot()
     colored = list(zip(_COLORS, found.trajectories.items(), strict=False))
@@ -79,9 +83,10 @@ def _draw_map(found: Evaluation) -> Any:
         if found.trajectories:
             _frame_room(axes, np.concatenate([t.p[:, :2] for t in found.trajectories.values()]))
     axes.grid(visible=False)
-    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title="map and path")
+    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+    axes.set_title("map and path", pad=28)
     if found.trajectories:
-        axes.legend(loc="best", facecolor="white", framealpha=0.8, frameon=True)
+        axes.legend(**_ABOVE, ncols=3)
     return figure
 
 
