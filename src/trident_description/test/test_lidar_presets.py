@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -40,6 +41,30 @@ RINGS = {
     "velodyne_vlp16": (16, -15.0, 15.0, 1808, 100.0),
     "ouster_os1_64": (64, -22.5, 22.5, 1024, 120.0),
 }
+
+
+#: How sensors are turned: roll, pitch, yaw [rad].
+TURN = (0.1, -0.2, 0.3)
+#: What there is with x, y, z, and what else each needs.
+MOUNTED = {
+    **dict.fromkeys((*FIGURES, *RINGS, "livox_mid40", "tfmini_plus", "lidar_2d"), ""),
+    **dict.fromkeys(("rtk_gnss", "anemometer"), ""),
+    "colour_camera": 'name="laser" topic="images"',
+}
+
+
+def turned(macro: str, roll: float, pitch: float, yaw: float) -> str:
+    """A macro with an orientation."""
+    return f'{macro} roll="{roll}" pitch="{pitch}" yaw="{yaw}"'
+
+
+def rotation(roll: float, pitch: float, yaw: float) -> np.ndarray:
+    """R_parent_sensor of rotations about fixed axes, as URDF has them."""
+    (cr, cp, cy), (sr, sp, sy) = np.cos([roll, pitch, yaw]), np.sin([roll, pitch, yaw])
+    about_x = np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
+    about_y = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
+    about_z = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
+    return about_z @ about_y @ about_x
 
 
 def expand(macro: str, tmp_path: Path) -> str:
@@ -133,3 +158,53 @@ def test_a_point_lidar_of_1000_hz_measures_each_millisecond(tmp_path: Path) -> N
     assert port.count == pytest.approx(100, abs=1), "one a millisecond, whatever the step"
     assert len(scan.ranges) == 1
     assert scan.ranges[0] == pytest.approx(RADIUS_M, abs=0.05)
+
+
+@pytest.mark.parametrize("macro", MOUNTED)
+def test_every_sensor_with_a_place_takes_an_orientation(macro: str, tmp_path: Path) -> None:
+    words = turned(f"{macro} {MOUNTED[macro]}", *TURN)
+    text = expand(words, tmp_path) if macro != "colour_camera" else expand_camera(words, tmp_path)
+    origin = re.search(r'xyz="0 0 0.1" rpy="([^"]*)"|rpy="([^"]*)" xyz="0 0 0.1"', text)
+    assert origin is not None
+    found = [float(word) for word in (origin[1] or origin[2]).split()]
+    assert found == pytest.approx(TURN)
+
+
+def expand_camera(words: str, tmp_path: Path) -> str:
+    """As `expand`: a camera has no link of that name."""
+    file = tmp_path / "carrier.xacro"
+    text = ROBOT.replace('MACRO link="laser"', words)
+    file.write_text(text, encoding="utf-8")
+    return str(xacro.process_file(str(file)).toxml())
+
+
+@pytest.mark.parametrize("macro", [*FIGURES, "lidar_2d", "tfmini_plus"])
+def test_a_lidar_that_is_turned_looks_elsewhere(macro: str, tmp_path: Path) -> None:
+    yaw = 1.0
+    world = trident_sim.World(EMPTY)
+    place = ((RADIUS_M + 0.1) * math.cos(yaw), (RADIUS_M + 0.1) * math.sin(yaw), 1.0)
+    world.spawn("wall", sdf=WALL, pose=(*place, 0.0, 0.0, yaw))
+    urdf = expand(turned(macro, 0.0, 0.0, yaw), tmp_path)
+    world.spawn("carrier", urdf=urdf, pose=(0.0, 0.0, 0.05))
+    port = world.ports["carrier/scan"]
+    assert port.read() is None, "reading subscribes"
+    world.step(round(0.5 / world.dt))
+    scan = port.read()
+    assert scan.ranges[0] == pytest.approx(RADIUS_M, abs=0.1), "beam 0 points along its x"
+
+
+@pytest.mark.parametrize("macro", [*RINGS, "livox_mid40"])
+def test_a_lidar_of_many_rings_is_tilted(macro: str, tmp_path: Path) -> None:
+    world = trident_sim.World(EMPTY)
+    wall = WALL.replace("2.0 2.0", "60.0 60.0")
+    world.spawn("wall", sdf=wall, pose=(RADIUS_M + 0.1, 0.0, 1.0, 0.0, 0.0, 0.0))
+    urdf = expand(turned(f'{macro} topic="points"', *TURN), tmp_path)
+    world.spawn("carrier", urdf=urdf, pose=(0.0, 0.0, 2.0))
+    port = world.ports["carrier/points"]
+    assert port.read() is None, "reading subscribes"
+    world.step(round(0.25 / world.dt))
+    points = port.read().points
+    seen = np.column_stack([points["x"], points["y"], points["z"]]) @ rotation(*TURN).T
+    above = seen[seen[:, 2] > -1.0]  # the ground is 2 m below, less what it has fallen
+    assert len(above) > 1000
+    assert np.abs(above[:, 0] - RADIUS_M).max() < 0.2, "all on the wall"
