@@ -31,11 +31,14 @@ from trident_tool.launch.launchfile import (
 from trident_tool.processes import ends_by_exception, foreground, started
 from trident_tool.running import free_port
 from trident_tool.shell import running_master, simulator_master, wait_for_master
+from trident_tool.view.fixed_frame import Transforms, heard_transforms, may_be_missing
 from trident_tool.view.recording import Recording
 from trident_tool.view.screenshot import Size, resized, screenshot
 from trident_tool.workspace import Runner, TridentError, Workspace, base_environment, say
 
 _TRIES = 3
+_ODOMETRY_LIMIT_S = 10.0  # of wall time, in which odometry begins
+_HELD_LIMIT_S = 2.0  # in which what was sent until then has been written down
 _DEFAULT = "default"
 _STREAM = ["rosrun", "trident_viewer", "overview.py", "--stream", "--size", "720x450"]
 _MARKERS = ["rosrun", "trident_viewer", "fleet_markers.py"]
@@ -235,6 +238,8 @@ def _show(
     with ends_by_exception(), contextlib.ExitStack() as stack:
         uri = _find_or_start_master(stack, workspace, env, is_own=bool(feed))
         scene = _Scene(runner, options, stack, _at(env, uri))
+        if not (options.is_overview or options.recording.is_wanted):
+            scene.configuration = pick_config(workspace, options.config)
         if feed:
             scene.start_feed(feed, uri)
         if options.is_overview:
@@ -275,6 +280,7 @@ class _Scene:
         feed: what is started for it; empty: the run in progress is looked at.
         source: the process of the feed.
         nodes: how many nodes the feed starts.
+        configuration: of rviz.
     """
 
     runner: Runner
@@ -284,6 +290,7 @@ class _Scene:
     feed: Sequence[str] = ()
     source: subprocess.Popen[bytes] | None = None
     nodes: int = 0
+    configuration: Path | None = None
 
     def start_feed(self, feed: Sequence[str], uri: str) -> None:
         """Starts what is looked at, and what says where its links are if it does not itself."""
@@ -302,7 +309,9 @@ class _Scene:
         self._start(_MARKERS, self.env)
         if self._is_of_a_world():
             self._start(_STREAM, self.env)
-        last_steps = self._hold()
+        with self._heard_transforms() as transforms:
+            last_steps = self._hold()
+            command = self._in_a_known_frame(command, transforms)
         if self.source is not None and self.source.poll() not in (None, 0):
             code = self.source.returncode
             raise TridentError(f"{' '.join(self.feed)} ended with exit code {code}")
@@ -310,6 +319,24 @@ class _Scene:
             return self.runner.run(command, env=self.env)
         self._take_screenshot(command, self.options.screenshot, last_steps)
         return 0
+
+    def _heard_transforms(self) -> contextlib.AbstractContextManager[Transforms | None]:
+        """Of a configuration whose fixed frame may not be there."""
+        # Before the first step nothing is known of what comes.
+        is_at_start = self.options.at_s is not None and self.options.at_s <= self.options.live_s
+        if is_at_start or not may_be_missing(self.configuration):
+            return contextlib.nullcontext()
+        return heard_transforms(self.env)
+
+    def _in_a_known_frame(self, command: list[str], transforms: Transforms | None) -> list[str]:
+        """Rviz with the root of the transforms for its fixed frame where there is no odometry."""
+        is_held = self.options.at_s is not None
+        limit_s = _HELD_LIMIT_S if is_held else _ODOMETRY_LIMIT_S
+        root = transforms.root_in_place_of_odometry(limit_s) if transforms else None
+        if root is None:
+            return command
+        say(f"the robot has no odometry: the fixed frame is {root}")
+        return [*command, "--fixed-frame", root]
 
     def _is_of_a_world(self) -> bool:
         """Whether a camera in the world has something to add to rviz's own configuration."""
