@@ -89,4 +89,4 @@ def test_the_outlines_of_a_formation_are_in_the_legend_once() -> None:
 
 def test_the_limit_of_the_formation_error_is_that_of_its_rms() -> None:
     legend = draw_formation_error(flown()).axes[0].get_legend()
-    assert "limit of its RMS 0.05 m" in [text.get_text() for text in legend.get_texts()]
+    assert "limit of the RMS over time 0.05 m" in [text.get_text() for text in legend.get_texts()]

@@ -228,9 +228,10 @@ def draw_formation_error(scene: Scene) -> Any:
         return None
     figure, axes = _time_figure(scene, "formation error", "RMS after rigid alignment [m]")
     axes.plot(scene.tracks.time, error, color=_COLORS[0], label="all vehicles")
-    if scene.formation_limit_m is not None:
-        _limit(axes, scene.formation_limit_m, f"limit of its RMS {scene.formation_limit_m:g} m")
-    _fit(axes, scene, error, scene.formation_limit_m)
+    limit = scene.formation_limit_m
+    if limit is not None:
+        _limit(axes, limit, f"limit of the RMS over time {limit:g} m")
+    _fit(axes, scene, error, limit)
     _finish(axes)
     return figure
 
