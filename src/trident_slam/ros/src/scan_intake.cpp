@@ -275,7 +275,7 @@ std::string ScanIntake::why_missing(const sensor_msgs::LaserScan& message) const
   return why;
 }
 
-/// The first stamp from which on a transform is known, by bisection: tf2 does not tell it.
+/// The first stamp from which on a transform is known, by bisection: tf2 does not report it.
 ros::Time ScanIntake::oldest_after(const std::string& target, const std::string& source,
                                    const ros::Time& unknown, const ros::Time& known) const {
   std::uint64_t low = unknown.toNSec();

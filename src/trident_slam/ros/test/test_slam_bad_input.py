@@ -166,7 +166,7 @@ def test_a_bag_without_odometry_is_mapped_as_no_odometry_asks(bag: Path, tmp_pat
     assert texts[0] == texts[1]
 
 
-def test_the_topics_that_were_chosen_are_told(bag: Path, tmp_path: Path) -> None:
+def test_the_topics_that_were_chosen_are_printed(bag: Path, tmp_path: Path) -> None:
     two = rewritten(bag, tmp_path / "two.bag", {"/scan": ["/scan", "/scan_2"]})
     done = offline(two, tmp_path / "out")
     assert "scans: /scan; odometry: odom -> base_footprint in /tf\n" in done.stderr
