@@ -106,3 +106,31 @@ def test_a_launch_file_is_photographed_without_a_display(tmp_path: Path) -> None
     assert np.ptp(rows) > SIZE[1] // 5, "it has climbed, and left its path"
     assert (picture.min(axis=-1) < 0.2).mean() > 0.002, "the vehicle and its name"
     assert (picture.min(axis=-1) > 0.9).mean() > 0.5, "on a light ground"
+
+
+def test_a_robot_without_odometry_is_shown_in_its_own_frame(tmp_path: Path) -> None:
+    urdf = REPO / "src" / "trident_description" / "urdf"
+    robot = tmp_path / "bare.urdf.xacro"
+    robot.write_text(
+        f"""<robot name="bare" xmlns:xacro="http://ros.org/wiki/xacro">
+        <xacro:include filename="{urdf}/parts.xacro"/>
+        <xacro:include filename="{urdf}/sensors.xacro"/>
+        <xacro:arg name="odometry_source" default=""/>
+        <xacro:arg name="command_timeout" default=""/>
+        <link name="base_link">
+        <xacro:box_inertial mass="2" x="0.3" y="0.2" z="0.1"><origin/></xacro:box_inertial>
+        <collision><geometry><box size="0.3 0.2 0.1"/></geometry></collision>
+        </link>
+        <xacro:rplidar_a2 link="laser" parent="base_link" x="0" y="0" z="0.1"/></robot>""",
+        encoding="utf-8",
+    )
+    target = tmp_path / "picture.png"
+    words = ["robot_in_room.launch", "robot:=bare", f"description:={robot}", "--at", "3"]
+    words += ["--live", "1", "--config", "robot", "--size", "x".join(map(str, SIZE))]
+    command = [str(REPO / "trident"), "view", *words, "--screenshot", str(target)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "the robot has no odometry: the fixed frame is base_link" in done.stdout + done.stderr
+    picture = imread(target)[..., :3]
+    red = (picture[..., 0] > 0.6) & (picture[..., 1:].max(axis=-1) < 0.3)
+    assert red.mean() > 0.002, "what its lidar sees"

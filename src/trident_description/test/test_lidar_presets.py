@@ -208,3 +208,11 @@ def test_a_lidar_of_many_rings_is_tilted(macro: str, tmp_path: Path) -> None:
     above = seen[seen[:, 2] > -1.0]  # the ground is 2 m below, less what it has fallen
     assert len(above) > 1000
     assert np.abs(above[:, 0] - RADIUS_M).max() < 0.2, "all on the wall"
+
+
+@pytest.mark.parametrize("macro", [*FIGURES, *RINGS, "livox_mid40", "lidar_2d", "tfmini_plus"])
+def test_rviz_shows_what_a_lidar_sends(macro: str, tmp_path: Path) -> None:
+    topic = re.search(r"<topicName>([^<]*)</topicName>", expand(macro, tmp_path))
+    assert topic is not None
+    rviz = (URDF.parents[2] / "config" / "rviz" / "robot.rviz").read_text(encoding="utf-8")
+    assert f"Topic: /{topic[1]}\n" in rviz

@@ -33,7 +33,7 @@ def may_be_missing(configuration: Path | None) -> bool:
 
 
 def parents_in(text: str) -> dict[str, str]:
-    """Parents by their children, in what `rostopic echo` tells of transforms."""
+    """Parents by their children, in what `rostopic echo` prints of transforms."""
     return {child: parent for parent, child in _EDGE.findall(text)}
 
 
