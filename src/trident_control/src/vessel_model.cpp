@@ -102,8 +102,7 @@ VesselModel load_vessel_model(const std::string& path) {
   model.name = file.name;
   const double lever = file.center_of_gravity.head<2>().squaredNorm();
   const Eigen::Vector3d added = planar(file.added_mass, file.added_mass_matrix);
-  model.mass =
-      Eigen::Vector3d(file.mass, file.mass, file.inertia.z() + file.mass * lever) + added;
+  model.mass = Eigen::Vector3d(file.mass, file.mass, file.inertia.z() + file.mass * lever) + added;
   model.munk_mass = file.munk ? added[1] - added[0] : 0.0;
   model.linear_damping = planar(file.linear_damping, file.linear_damping_matrix);
   model.quadratic_damping = planar(file.quadratic_damping, file.quadratic_damping_matrix);

@@ -10,10 +10,9 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from trident_eval.core.errors import EvalError
-
 from trident_benchmarks.nav.barn_ros import judge, launch_text, read_poses, touches
 from trident_benchmarks.nav.fields import START, Field
+from trident_eval.core.errors import EvalError
 
 BOX = np.array([[-0.2, -0.1], [0.2, -0.1], [0.2, 0.1], [-0.2, 0.1]])
 HEADER = "t,name,x,y,z,qx,qy,qz,qw\n"
@@ -65,7 +64,7 @@ def test_states_of_one_model_are_read(tmp_path: Path) -> None:
     with pytest.raises(EvalError, match="no states of c"):
         read_poses(file, "c")
     file.write_text(f"{HEADER}0,a,1,x,0,0,0,0,1\n")
-    with pytest.raises(EvalError, match="legal: a states.csv"):
+    with pytest.raises(EvalError, match=r"legal: a states\.csv"):
         read_poses(file, "a")
 
 

@@ -40,7 +40,7 @@ def test_a_row_counts_goals_contacts_and_recoveries() -> None:
     assert (row["goals"], row["reached"], row["contacts"], row["recoveries"]) == (2, 1, 1, 2)
     assert row["time_over_bound"] == pytest.approx(1.25)
     assert row["cpu_s_per_s"] == pytest.approx(0.1)
-    assert "| my_nav_robot | 1 of 2 | 1 | 2 | 1.25 | 0.100 s |" in tours.table([row])
+    assert "| my_nav_robot | 1 of 2 | 1 | 1 | 2 | 1.25 | 0.100 s |" in tours.table([row])
 
 
 def test_a_robot_that_nobody_knows_is_refused_with_those_known() -> None:

@@ -31,7 +31,7 @@ def test_full_names_become_maps_of_maps() -> None:
 def test_a_launch_file_that_does_not_load_is_named(tmp_path: Path) -> None:
     file = tmp_path / "broken.launch"
     file.write_text("<launch><node/></launch>", encoding="utf-8")
-    with pytest.raises(EvalError, match="broken.launch"):
+    with pytest.raises(EvalError, match=r"broken\.launch"):
         launch_parameters([str(file)])
     with pytest.raises(EvalError, match="no parameters of move_base"):
         node_parameters({"amcl": {}}, "move_base", tmp_path / "move_base.yaml")

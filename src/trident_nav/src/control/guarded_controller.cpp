@@ -47,7 +47,7 @@ std::string problem_of(const RobotState& state, const Path& path, const CostGrid
   return path.empty() ? "The path has no poses." : "";
 }
 
-/// The way of a base whose twist stays as it is.
+/// The trajectory of a base whose twist stays as it is.
 ConsideredTrajectory held(const RobotState& state, const Twist2& twist) {
   constexpr double kDuration_s = 1.5, kStep_s = 0.1;
   ConsideredTrajectory trajectory;

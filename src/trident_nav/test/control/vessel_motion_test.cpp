@@ -114,8 +114,7 @@ TEST(VesselMotion, ADriftingHullIsTurnedAbeam) {
   const Rollouts rollouts = sailed(model, {0.0, {u, v, 0.0}}, 0.0F, 0.0F);
   // After one step, with the drag of rest: I dr/dt = -munk_mass u v.
   const double gain = model.dt_s / model.vessel.mass[2];
-  const double expected =
-      -gain * 5.4 * u * v / (1.0 + gain * model.vessel.linear_damping[2]);
+  const double expected = -gain * 5.4 * u * v / (1.0 + gain * model.vessel.linear_damping[2]);
   EXPECT_NEAR(static_cast<double>(rollouts.wz[0]), expected, 1e-5);
 }
 

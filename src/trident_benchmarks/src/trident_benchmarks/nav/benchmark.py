@@ -37,7 +37,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--ros", action="store_true", help="of barn: over ROS, by the action of move_base"
     )
-    parser.add_argument("--goals", type=positive, metavar="N", help="of a seed of office (20), turtlebot3 (10)")
+    parser.add_argument(
+        "--goals", type=positive, metavar="N", help="of a seed of office (20), turtlebot3 (10)"
+    )
     parser.add_argument("--scene", action="append", default=[], help="of tight; default: all")
     parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
     parser.add_argument("--picture", type=Path, metavar="FILE.png", help="worlds and tracks")

@@ -25,7 +25,7 @@ def launch_parameters(
 
     Args:
         words: as roslaunch has them: a file, or package and file; then arguments.
-        environment: variables beside those of this process.
+        environment: variables in addition to those of this process.
 
     Raises:
         EvalError: it cannot be read.
@@ -78,7 +78,7 @@ def node_parameters(tree: Mapping[str, Any], node: str, file: Path) -> Path:
         The file.
 
     Raises:
-        EvalError: there are none.
+        EvalError: it has no parameters.
     """
     if not isinstance(tree.get(node), dict):
         raise EvalError(f"the launch file sets no parameters of {node}")

@@ -44,9 +44,7 @@ def _corners(costmap: dict[str, object], file: Path) -> npt.NDArray[np.float64]:
     return np.array(costmap["footprint"], dtype=float)
 
 
-def _radii(
-    costmap: dict[str, object], corners: npt.NDArray[np.float64]
-) -> tuple[float, float]:
+def _radii(costmap: dict[str, object], corners: npt.NDArray[np.float64]) -> tuple[float, float]:
     if "robot_radius" in costmap:
         radius = float(str(costmap["robot_radius"]))
         return radius, radius

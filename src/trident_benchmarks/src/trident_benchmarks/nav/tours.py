@@ -72,6 +72,7 @@ class Driver:
     limits: RobotLimits
     parameters: tuple[Path, ...]
 
+
 @dataclass(frozen=True)
 class Building:
     """A building as its map says and as it is.
@@ -246,15 +247,17 @@ def row_of(
 
 
 def table(rows: Sequence[dict[str, Any]]) -> str:
-    """Rows as Markdown."""
+    """Rows as Markdown; reached: also by the truth, within the tolerances."""
+    names = (rows[0]["suite"], "reached", "by move_base", "contacts", "recoveries")
     lines = [
-        f"| {rows[0]['suite']} | reached | contacts | recoveries | time over lower bound | CPU per s |",
-        "|---|---|---|---|---|---|",
+        f"| {' | '.join(names)} | time over lower bound | CPU per s |",
+        "|---|---|---|---|---|---|---|",
     ]
     for row in rows:
         ratio = "-" if row["time_over_bound"] is None else f"{row['time_over_bound']:.2f}"
         lines.append(
-            f"| {row['robot']} | {row['reached']} of {row['goals']} | {row['contacts']} |"
+            f"| {row['robot']} | {row['reached']} of {row['goals']} | {row['said_reached']} |"
+            f" {row['contacts']} |"
             f" {row['recoveries']} | {ratio} | {row['cpu_s_per_s']:.3f} s |"
         )
     return "\n".join(lines)

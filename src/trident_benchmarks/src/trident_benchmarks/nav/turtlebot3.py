@@ -28,7 +28,7 @@ ROBOTS: tuple[tuple[Robot, tuple[float, ...]], ...] = (
     (trials.BURGER, (0.03, 0.115, 0.18)),
     (trials.WAFFLE, (0.03, 0.12)),
 )
-#: Parameters of the node amcl that have no meaning without ROS, beside frames and the first pose.
+#: Parameters of amcl that have no meaning without ROS, but for frames and the first pose.
 _NODE_KEYS = (
     "first_map_only",
     "gui_publish_rate",

@@ -120,7 +120,7 @@ VesselStep vessel_step(const MppiModel& model) {
 
 // The velocity through water after a step, as near to the wanted one as the forces allow. Drag acts
 // on the velocity at the step's end, so that no step is too long for it.
-// `load`: a force beside them; `steered`: of rudders, to both sides.
+// `load`: a force in addition to them; `steered`: of rudders, to both sides.
 TRIDENT_INLINE float driven(const VesselStep& step, int axis, float v, float wanted, float load,
                             float steered) {
   const float damping =

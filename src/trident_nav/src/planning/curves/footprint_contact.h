@@ -56,9 +56,9 @@ class FootprintContact {
   bool is_convex_ = false;
   int words_ = 0;
   bool ignores_ = false;
-  Pose2 ignored_;      ///< Of a circle.
-  Footprint smaller_;  ///< Without points: none.
-  Pose2 left_;         ///< Where the smaller footprint counts.
+  Pose2 ignored_;                       ///< Of a circle.
+  Footprint smaller_;                   ///< Without points: none.
+  Pose2 left_;                          ///< Where the smaller footprint counts.
   std::vector<std::uint64_t> blocked_;  ///< One bit per cell, rows of `words_`.
 };
 

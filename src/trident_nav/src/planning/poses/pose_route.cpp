@@ -106,8 +106,10 @@ Footprint PoseRoute::checked_footprint(const Footprint& footprint, double resolu
 void PoseRoute::allow_start(Request& request, FootprintContact& contact) {
   const double depth_m = kLeaveDepthCells * request.grid.geometry.resolution;
   if (contact.let_leave(request.start, depth_m)) {
-    comment(request.outcome, "The footprint reaches into an obstacle at the start; near it, it is "
-                             "taken to be smaller by " + number_text(depth_m, "m") + ".");
+    comment(request.outcome,
+            "The footprint reaches into an obstacle at the start; near it, it is "
+            "taken to be smaller by " +
+                number_text(depth_m, "m") + ".");
     return;
   }
   contact.ignore_under(request.start);
