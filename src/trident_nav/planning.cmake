@@ -35,6 +35,7 @@ set(trident_nav_planning_sources
   src/planning/potential/potential.cpp
   src/planning/potential/potential_cells.cpp
   src/planning/potential/potential_repair.cpp
+  src/planning/poses/slot_exit.cpp
   src/planning/poses/smac_options.cpp
   src/planning/grids/theta_search.cpp
 )

@@ -177,6 +177,35 @@ TEST(SmacHybridPlanner, OnlyReedsSheppBacksOutOfADeadEnd) {
   EXPECT_TRUE(drives_backwards(outcome.path));
 }
 
+TEST(SmacHybridPlanner, ASlotOfOnePointFourLengthsIsEnteredInSeveralMoves) {
+  TestGrid grid(240, 160, kFreeCost, 0.025);
+  const auto fill = [&](double x0, double y0, double x1, double y1) {
+    for (int y = static_cast<int>(y0 / 0.025); y < static_cast<int>(y1 / 0.025); ++y) {
+      for (int x = static_cast<int>(x0 / 0.025); x < static_cast<int>(x1 / 0.025); ++x) {
+        grid(x, y) = kLethalCost;
+      }
+    }
+  };
+  double length = 0.0;
+  for (const Point2& p : car().points) length = std::max(length, 2.0 * p.x);
+  const double ahead = 0.7 * length;  // from the middle of the slot to the cars about it
+  fill(0.0, 0.0, 6.0, 0.65);
+  fill(3.0 - ahead - length, 0.7, 3.0 - ahead, 1.1);
+  fill(3.0 + ahead, 0.7, 3.0 + ahead + length, 1.1);
+  grid.measure_distances(2.0F);
+  SmacHybridParams params = patient();
+  params.motion_model_for_search = SmacMotionModel::kReedsShepp;
+  params.minimum_turning_radius = 0.75;
+  SmacHybridPlanner planner{params};
+  const Pose2 goal{3.0, 0.96, 0.0};
+  const PlanOutcome outcome = run(planner, grid.view(), {1.2, 2.0, 0.1}, goal);
+  ASSERT_EQ(outcome.failure, Failure::kNone) << outcome.reason;
+  EXPECT_EQ(outcome.reason, "") << "the goal itself is reached";
+  EXPECT_NEAR(outcome.path.back().yaw, 0.0, 1e-9);
+  EXPECT_TRUE(is_free(grid.view(), outcome.path));
+  EXPECT_TRUE(drives_backwards(outcome.path));
+}
+
 TEST(SmacHybridPlanner, AGoalThatCannotBeEnteredIsReplacedWithinTheTolerance) {
   TestGrid grid(200, 200, kFreeCost, 0.05);
   for (int y = 0; y < 200; ++y) grid(100, y) = kLethalCost;

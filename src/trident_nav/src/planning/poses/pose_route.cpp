@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "planning/plan_request.h"
+#include "planning/poses/slot_exit.h"
 #include "trident_base/error.h"
 #include "trident_nav/core/footprint.h"
 
@@ -152,7 +153,10 @@ bool PoseRoute::find_goal(Request& request, const FootprintContact& contact,
     if (cut_off && (cell == *cut_off || std::isfinite(heuristic_.at(cell.x, cell.y)))) continue;
     request.end = goal;
     request.query.goal = to_cells(g, goal);
-    if (!probe_.can_enter(checker, request.query.goal)) continue;
+    if (!probe_.can_enter(checker, request.query.goal) &&
+        !out_of_slot(checker, request.query.goal)) {
+      continue;
+    }
     can_enter = true;
     if (aim(request, goal)) return true;
     if (request.outcome.failure == Failure::kCanceled) return false;
@@ -160,6 +164,12 @@ bool PoseRoute::find_goal(Request& request, const FootprintContact& contact,
   }
   explain_goal(request, goals.empty(), can_enter);
   return false;
+}
+
+std::optional<TravelPath> PoseRoute::out_of_slot(const CurveChecker& checker,
+                                                 const Pose2& goal) const {
+  if (options_.search.model != MotionModel::kReedsShepp) return std::nullopt;
+  return path_out_of_slot(checker, goal, options_.search.radius);
 }
 
 void PoseRoute::explain_goal(Request& request, bool is_occupied, bool can_enter) const {

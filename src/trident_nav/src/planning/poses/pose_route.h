@@ -57,12 +57,14 @@ class PoseRoute {
   bool find_goal(Request& request, const FootprintContact& contact, const CurveChecker& checker);
   std::vector<Pose2> goal_places(const Request& request) const;
   std::vector<Pose2> free_goals(const Request& request, const FootprintContact& contact) const;
+  std::optional<TravelPath> out_of_slot(const CurveChecker& checker, const Pose2& goal) const;
   void explain_goal(Request& request, bool is_occupied, bool can_enter) const;
   void accept_near(Request& request) const;
   bool aim(Request& request, const Pose2& goal);
   void search(Request& request, const CurveChecker& checker);
   PoseSearch::Result run(Request& request, TravelPath& path);
   std::optional<TravelPath> find_approach(Request& request);
+  bool enter_slot(Request& request, TravelPath& path);
   bool join_approach(Request& request, const TravelPath& approach, TravelPath& path);
   void use(Request& request, TravelPath path, const CurveChecker& checker) const;
   void use_nearest(Request& request, PoseSearch::Result result, const CurveChecker& checker) const;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "planning/poses/pose_route.h"
+#include "planning/poses/slot_exit.h"
 
 namespace trident::nav {
 namespace {
@@ -20,7 +21,7 @@ constexpr double kApproachCost = 80.0;
 constexpr double kMinApproachCost = 30.0;
 /// How near to that place it has to come [cells].
 constexpr double kGateRadius = 2.5;
-/// A path from its end to its start.
+/// A path from its end to its start; its motions are those of that direction already.
 TravelPath turned_round(const TravelPath& path) {
   TravelPath result;
   for (std::size_t i = path.points.size(); i-- > 0;) {
@@ -31,6 +32,12 @@ TravelPath turned_round(const TravelPath& path) {
     result.points.push_back(point);
   }
   return result;
+}
+
+/// A path as it is driven backwards, from its end to its start.
+TravelPath retraced(TravelPath path) {
+  for (TravelPath::Point& point : path.points) point.reverses = !point.reverses;
+  return turned_round(path);
 }
 
 }  // namespace
@@ -47,9 +54,16 @@ PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
   }
   PoseSearch::Result result = search_.search(request.grid, query, request.cancel);
   iterations_ = search_.iterations();
+  if (result != PoseSearch::Result::kFound && result != PoseSearch::Result::kCanceled &&
+      enter_slot(request, path)) {
+    return PoseSearch::Result::kFound;
+  }
   if (result == PoseSearch::Result::kTooManyIterations && query.stop_within <= 0.0) {
     const std::optional<TravelPath> approach = find_approach(request);
-    if (approach && join_approach(request, *approach, path)) return PoseSearch::Result::kFound;
+    if (approach && join_approach(request, *approach, path)) {
+      request.outcome.cost += approach_search_.nearest_cost();
+      return PoseSearch::Result::kFound;
+    }
   }
   if (result == PoseSearch::Result::kTooManyIterations) {
     query.max_iterations = options_.max_iterations;
@@ -61,6 +75,18 @@ PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
   path = search_.path();
   request.outcome.cost = search_.cost();
   return result;
+}
+
+// Into a slot as a car leaves it, in the other direction.
+bool PoseRoute::enter_slot(Request& request, TravelPath& path) {
+  const auto out = out_of_slot(*request.query.checker, request.query.goal);
+  if (!out) return false;
+  const TravelPath in = retraced(*out);
+  const Pose2& begin = in.points.front().pose;
+  gate_heuristic_.aim(request.grid, {static_cast<int>(begin.x), static_cast<int>(begin.y)});
+  if (!join_approach(request, in, path)) return false;
+  request.outcome.cost += static_cast<double>(in.points.size());
+  return true;
 }
 
 // A path to the goal from a place some distance before it, seen from the start.
@@ -101,7 +127,7 @@ bool PoseRoute::join_approach(Request& request, const TravelPath& approach, Trav
   if (result != PoseSearch::Result::kFound) return false;
   path = search_.path();
   path.points.insert(path.points.end(), approach.points.begin() + 1, approach.points.end());
-  request.outcome.cost = search_.cost() + approach_search_.nearest_cost();
+  request.outcome.cost = search_.cost();
   return true;
 }
 
