@@ -16,6 +16,7 @@ GTEST = "_ctest_trident_slam_gtest_trident_slam_logs_test"
         ([GTEST], ["trident_slam_logs_test"]),
         ([GTEST, "lint_ruff"], ["trident_slam_logs_test"]),
         (["lint_rooms"], []),
+        (["lint_rooms", "lint_reference"], ["plugin_reference"]),
         ([GTEST, "system_launch"], ["all", "tests"]),
         ([], []),
     ],

@@ -46,13 +46,15 @@ def targets_of_tests(names: Iterable[str]) -> list[str]:
     """What ninja has to build for tests of these names.
 
     A gtest needs its program alone; a check of the sources (lint_) needs nothing but the
-    configuration. A pytest or rostest may start any node, so that all is built for it.
+    configuration, or what prints the plugins that are compared with their page. A pytest or rostest may start any node, so that all is built for it.
     """
     targets = []
     for name in names:
         _, is_gtest, program = name.partition("_gtest_")
         if is_gtest:
             targets.append(program)
+        elif name == "lint_reference":
+            targets.append("plugin_reference")
         elif not name.startswith("lint_"):
             return ["all", "tests"]
     return targets

@@ -36,6 +36,13 @@ def drive(world: World, v: float, w: float, seconds: float) -> None:
     world.step(round(seconds / world.dt))
 
 
+@pytest.mark.parametrize("file", sorted((REPO / "worlds").glob("*.world")), ids=lambda f: f.stem)
+def test_every_world_loads_with_nothing_left_out_and_runs(file: Path) -> None:
+    world = World(file, strict=True)
+    world.step(10)
+    assert world.time == pytest.approx(10 * world.dt)
+
+
 @pytest.mark.parametrize("robot", ROBOTS)
 def test_robots_stand_level_and_still(robot: str) -> None:
     world = world_with("room", robot, (0, 0, 0, 0, 0, 0.3))

@@ -68,6 +68,15 @@ def test_a_run_that_left_nothing_fails(tmp_path: Path, capsys: pytest.CaptureFix
     assert verdict["pass"] is False
 
 
+@pytest.mark.parametrize(("steps", "code"), [(500, 0), (0, 1)])
+def test_a_world_without_vehicles_passes_once_it_has_run(
+    tmp_path: Path, steps: int, code: int
+) -> None:
+    (tmp_path / "states.csv").write_text("t,name,x,y,z\n")
+    (tmp_path / "run.json").write_text(json.dumps({"steps": steps, "state_hash": "ab" * 32}))
+    assert main(["verdict", "--no-pictures", str(tmp_path)]) == code
+
+
 def test_the_verdict_is_printed_before_anything_is_drawn(
     planned_run: Run, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -154,6 +154,8 @@ class Host {
       append(point->p_frame, numbers);
     } else if (const auto* wrench = value_of<WrenchSample>(port)) {
       append(wrench->force, numbers);
+    } else {
+      numbers.push_back(static_cast<double>(port.count()));  // a type of the plugin's own
     }
   }
 

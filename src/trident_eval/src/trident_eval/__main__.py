@@ -28,7 +28,7 @@ from trident_eval.core.plots import draw_all
 from trident_eval.core.provenance import Provenance, read_object, read_provenance
 from trident_eval.core.report import table
 from trident_eval.core.scene import Scene, formation_scene
-from trident_eval.core.tracks import read_states
+from trident_eval.core.tracks import NoStatesError, read_states
 from trident_eval.core.vehicles import flights
 from trident_eval.core.verdict import Verdict, judge, take_over
 from trident_eval.options import add_report
@@ -80,9 +80,7 @@ def _verdict(options: argparse.Namespace) -> int:
     try:
         scene, verdict = _judge_folder(folder)
     except EvalError as error:
-        # A run without usable results is a failed run.
-        verdict = Verdict({"vehicles": []}, [str(error)])
-        take_over(read_object(folder / "run.json"), verdict)
+        verdict = _without_results(folder, error)
     add_faults(verdict, read_faults(folder), notes)
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)
@@ -91,6 +89,16 @@ def _verdict(options: argparse.Namespace) -> int:
     if not options.no_pictures:
         _try_to_report(scene, numbers, folder)
     return PASSED if verdict.passed else FAILED
+
+
+def _without_results(folder: Path, error: EvalError) -> Verdict:
+    """A failed run, unless a world ran in which no vehicle was to be."""
+    run = read_object(folder / "run.json")
+    was_commanded = read_command(folder) is not None or bool(read_missions(folder))
+    is_world_alone = isinstance(error, NoStatesError) and run.get("steps", 0) and not was_commanded
+    verdict = Verdict({"vehicles": []}, [] if is_world_alone else [str(error)])
+    take_over(run, verdict)
+    return verdict
 
 
 def _try_to_report(scene: Scene | None, numbers: dict[str, Any], folder: Path) -> None:

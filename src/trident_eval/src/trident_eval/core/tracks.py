@@ -19,6 +19,10 @@ Array = npt.NDArray[np.float64]
 _NEEDED = ("t", "name", "x", "y", "z")
 
 
+class NoStatesError(EvalError):
+    """A `states.csv` in which no vehicle ever was."""
+
+
 @dataclass(frozen=True)
 class Tracks:
     """Positions of N vehicles at M common instants.
@@ -67,7 +71,8 @@ def read_states(path: Path) -> Tracks:
     A last line without its end is left out: a simulator that was killed has torn it.
 
     Raises:
-        EvalError: unreadable or empty file, a missing column, a cell that is no number.
+        NoStatesError: no vehicle was there.
+        EvalError: unreadable file, a missing column, a cell that is no number.
     """
     stamps: list[float] = []
     names: list[str] = []
@@ -84,7 +89,7 @@ def read_states(path: Path) -> Tracks:
         reason = getattr(error, "strerror", None) or error
         raise EvalError(f"{path}: {reason}; legal: a readable states.csv") from error
     if not stamps:
-        raise EvalError(f"{path}: no states; legal: one line per vehicle and time")
+        raise NoStatesError(f"{path}: no states; legal: one line per vehicle and time")
     return tracks_of(stamps, names, positions)
 
 
