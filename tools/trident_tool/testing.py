@@ -46,7 +46,8 @@ def targets_of_tests(names: Iterable[str]) -> list[str]:
     """What ninja has to build for tests of these names.
 
     A gtest needs its program alone; a check of the sources (lint_) needs nothing but the
-    configuration, or what prints the plugins that are compared with their page. A pytest or rostest may start any node, so that all is built for it.
+    configuration, or what prints the plugins that are compared with their page. A pytest or rostest
+    may start any node, so that all is built for it.
     """
     targets = []
     for name in names:

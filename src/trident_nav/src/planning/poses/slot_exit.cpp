@@ -14,11 +14,11 @@ namespace {
 
 /// A motion that is free for so many turning radii leads out.
 constexpr double kOut = 0.8;
-constexpr int kMostMoves = 32;
+constexpr int kMaxMoves = 32;
 /// What is left free at the end of a motion: as much of it as the slot allows [steps].
 constexpr std::array<int, 3> kMargins{2, 1, 0};
 /// A motion that is shorter leads nowhere [steps].
-constexpr int kLeast = 2;
+constexpr int kMinSteps = 2;
 
 /// The moves of a car from one place.
 class Shuffle {
@@ -44,13 +44,13 @@ class Shuffle {
     TravelPath path;
     path.points.push_back({from_, false, false});
     int gear = first_gear;
-    for (int move = 0; move < kMostMoves; ++move, gear = -gear) {
+    for (int move = 0; move < kMaxMoves; ++move, gear = -gear) {
       const CurveSegment arc = segment(side * gear, gear);
       const int free = free_steps(path.points.back().pose, arc);
       const bool is_out = free >= out_steps();
       const int steps = is_out ? free : free - margin;
-      if (steps < kLeast) {
-        // There may be room the other way yet.
+      if (steps < kMinSteps) {
+        // There may be room in the other direction yet.
         if (move == 0) continue;
         return std::nullopt;
       }
