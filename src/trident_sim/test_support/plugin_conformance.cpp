@@ -155,7 +155,7 @@ class Host {
     } else if (const auto* wrench = value_of<WrenchSample>(port)) {
       append(wrench->force, numbers);
     } else {
-      numbers.push_back(static_cast<double>(port.count()));  // a type of the plugin's own
+      numbers.push_back(1.0);  // a type of the plugin's own: that it was sent
     }
   }
 
