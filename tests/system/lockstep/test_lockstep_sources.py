@@ -112,6 +112,8 @@ def test_a_source_that_died_ends_a_run_that_waits_and_a_stopped_one_does_not(
     gazebo = start_gazebo(
         wait_for=1,
         wait_for_sources=1,
+        real_time_factor=1.0,
+        lockstep_policy="wait",
         out_dir=out_dir,
         end_time=1000.0,
         lockstep_timeout=0.03,
@@ -119,7 +121,8 @@ def test_a_source_that_died_ends_a_run_that_waits_and_a_stopped_one_does_not(
     )
     gazebo.spawn("UAV1")
     gazebo.controller("UAV1")
-    words = ["_vehicle:=UAV1", "_waypoints:=[[0, 0, 1], [1, 0, 1], [0, 0, 1]]"]
+    # Longer than the test takes: nobody misses a source whose flight has ended.
+    words = ["_vehicle:=UAV1", "_waypoints:=[[0, 0, 1], [200, 0, 1]]"]
     source = ros.launch([program("trident_fleet", "waypoint_flight.py"), *words], "source")
     gazebo.ask("unpause_physics")
     gazebo.until(0.3)
