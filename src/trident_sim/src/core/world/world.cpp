@@ -9,6 +9,21 @@
 
 namespace trident::sim {
 
+namespace {
+
+/// Plugins hold references to bodies, ports and each other's samples: those of the world go first,
+/// as they may reach into any model.
+void dismantle(std::vector<std::unique_ptr<Plugin>>& world_plugins,
+               const std::map<std::string, std::unique_ptr<Model>>& models, PhysicsEngine& engine) {
+  world_plugins.clear();
+  for (const auto& [name, model] : models) {
+    model->plugins.clear();
+    engine.destroy(*model);
+  }
+}
+
+}  // namespace
+
 World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& registry,
              WorldOptions options)
     : WorldSetting(spec, resources, std::move(options)),
@@ -25,28 +40,25 @@ World::World(const WorldSpec& spec, const Resources& resources, PluginRegistry& 
   dt_ = SimTime::from_seconds(physics_.max_step_size_s);
   for (const std::string& text : spec.odd_elements) report_odd(text);
   add_odd_repeats(spec.odd_repeats);
-  for (const ModelSpec& model : spec.models) {
-    leave_out_if_odd([&] { add_model(model, ""); });
+  try {
+    for (const ModelSpec& model : spec.models) {
+      leave_out_if_odd([&] { add_model(model, ""); });
+    }
+    for (const auto& [name, model] : models_) report_overlap(*model);
+    for (const PluginSpec& plugin : spec.plugins) {
+      leave_out_if_odd([&] {
+        auto made = create_plugin(plugin, {}, "world '" + name_ + "'");
+        if (made != nullptr) world_plugins_.push_back(std::move(made));
+      });
+    }
+    rebuild_schedule();
+  } catch (...) {
+    dismantle(world_plugins_, models_, *engine_);
+    throw;
   }
-  for (const auto& [name, model] : models_) report_overlap(*model);
-  for (const PluginSpec& plugin : spec.plugins) {
-    leave_out_if_odd([&] {
-      auto made = create_plugin(plugin, {}, "world '" + name_ + "'");
-      if (made != nullptr) world_plugins_.push_back(std::move(made));
-    });
-  }
-  rebuild_schedule();
 }
 
-/// Plugins hold references to bodies, ports and each other's samples: those of the world go first,
-/// as they may reach into any model.
-World::~World() {
-  world_plugins_.clear();
-  for (auto& [name, model] : models_) {
-    model->plugins.clear();
-    engine_->destroy(*model);
-  }
-}
+World::~World() { dismantle(world_plugins_, models_, *engine_); }
 
 /// The name and pose of the request take the place of the file's.
 Model& World::spawn(const SpawnRequest& request) {
