@@ -18,6 +18,7 @@ add_library(trident_nav_control
   src/control/graceful/smooth_law.cpp
   src/control/guarded_controller.cpp
   src/control/last_command.cpp
+  src/control/maneuver_follower.cpp
   src/control/motion.cpp
   src/control/mppi/control_plan.cpp
   src/control/mppi/critics/critic.cpp
@@ -90,6 +91,7 @@ if(CATKIN_ENABLE_TESTING)
     test/control/control_details_test.cpp
     test/control/controller_conformance_test.cpp
     test/control/laws_test.cpp
+    test/control/maneuver_test.cpp
     test/control/moving_obstacles_test.cpp
     test/control/mppi_test.cpp
     test/control/path_centering_test.cpp

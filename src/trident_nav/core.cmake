@@ -4,6 +4,7 @@
 add_library(trident_nav_core
   src/core/footprint.cpp
   src/core/footprint_checker.cpp
+  src/core/path_cusps.cpp
   src/core/shape_cells.cpp
 )
 target_compile_features(trident_nav_core PUBLIC cxx_std_17)

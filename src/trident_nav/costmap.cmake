@@ -52,6 +52,7 @@ target_link_libraries(trident_nav_costmap_bench trident_nav_costmap)
 if(CATKIN_ENABLE_TESTING)
   catkin_add_gtest(trident_nav_core_test
     test/core/cost_grid_test.cpp
+    test/core/path_cusps_test.cpp
     test/core/footprint_test.cpp
     test/core/shape_cells_test.cpp
   )

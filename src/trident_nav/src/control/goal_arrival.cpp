@@ -11,6 +11,7 @@ namespace {
 constexpr double kInner = 0.5;
 // A distance that shrinks by less is no progress [m].
 constexpr double kProgress = 1e-3;
+constexpr double kTurned = 0.01;  // [rad]
 
 // A goal that a correction of the robot's position shifts stays the same one.
 bool is_same(const Pose2& a, const Pose2& b, const GoalTolerance& tolerance) {
@@ -35,6 +36,12 @@ bool GoalArrival::starts_turn(double distance_m, const Twist2& twist) const {
 bool GoalArrival::is_within_fallback(const RobotState& state, double distance_m, double yaw_error) {
   if (distance_m < nearest_m_ - kProgress) {
     nearest_m_ = distance_m;
+    least_yaw_error_ = yaw_error;
+    nearest_time_s_ = state.time_s;
+  }
+  // Next to the goal a robot that shuttles comes no nearer, but turns.
+  if (yaw_error < least_yaw_error_ - kTurned) {
+    least_yaw_error_ = yaw_error;
     nearest_time_s_ = state.time_s;
   }
   return state.time_s - nearest_time_s_ >= tolerance_.fallback_time &&
@@ -44,15 +51,16 @@ bool GoalArrival::is_within_fallback(const RobotState& state, double distance_m,
 
 ArrivalPhase GoalArrival::update(const RobotState& state, const Pose2& goal) {
   const double distance_m = distance(state.pose.x, state.pose.y, goal.x, goal.y);
+  const double yaw_error = std::fabs(wrap_angle(goal.yaw - state.pose.yaw));
   const bool is_new = !has_goal_ || !is_same(goal, goal_, tolerance_);
   goal_ = goal;
   if (is_new) {
     has_goal_ = true;
     phase_ = ArrivalPhase::kApproach;
     nearest_m_ = distance_m;
+    least_yaw_error_ = yaw_error;
     nearest_time_s_ = state.time_s;
   }
-  const double yaw_error = std::fabs(wrap_angle(goal.yaw - state.pose.yaw));
   const bool is_fallback = is_within_fallback(state, distance_m, yaw_error);
   const bool is_at_position = distance_m <= tolerance_.xy_goal_tolerance || is_fallback;
   const bool is_at_heading = yaw_error <= tolerance_.yaw_goal_tolerance || is_fallback;

@@ -11,8 +11,6 @@
 namespace trident::nav {
 namespace {
 
-constexpr double kPointApart = 1e-6;  // points of a path that are nearer are one [m]
-
 struct Projection {
   double arc_m = 0.0;
   double distance_m = std::numeric_limits<double>::infinity();
@@ -20,26 +18,6 @@ struct Projection {
 
 double direction(const Pose2& from, const Pose2& to) {
   return std::atan2(to.y - from.y, to.x - from.x);
-}
-
-// A planner without headings of its own leaves all of them at zero, but perhaps the last.
-bool are_all_zero(const Path& path) {
-  return std::all_of(path.begin(), path.end() - 1, [](const Pose2& p) { return p.yaw == 0.0; });
-}
-
-// Headings along the path or against it, in all but a tenth of the points.
-bool fit_direction(const Path& path) {
-  constexpr double kTolerance = 0.6;
-  std::size_t odd = 0;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const double off = std::fabs(wrap_angle(path[i].yaw - direction(path[i], path[i + 1])));
-    if (off > kTolerance && off < kPi - kTolerance) ++odd;
-  }
-  return 10 * odd <= path.size();
-}
-
-bool is_backward(const Pose2& from, const Pose2& to) {
-  return std::fabs(wrap_angle(from.yaw - direction(from, to))) > 0.5 * kPi;
 }
 
 // The same path as it was, up to a correction of the robot's position.
@@ -67,15 +45,8 @@ Pose2 LocalPath::at(double arc_m) const {
 void PathTracker::reset() { *this = PathTracker(max_advance_m_); }
 
 void PathTracker::find_cusps() {
-  cusps_m_.clear();
-  has_headings_ = path_.size() > 1 && !are_all_zero(path_) && fit_direction(path_);
-  for (std::size_t i = 1; i + 1 < path_.size(); ++i) {
-    const double turn = std::fabs(
-        wrap_angle(direction(path_[i], path_[i + 1]) - direction(path_[i - 1], path_[i])));
-    const bool changes_gear =
-        has_headings_ && is_backward(path_[i - 1], path_[i]) != is_backward(path_[i], path_[i + 1]);
-    if (changes_gear && turn > 0.5 * kPi) cusps_m_.push_back(arcs_m_[i]);
-  }
+  has_headings_ = has_own_headings(path_);
+  cusps_ = cusps_of(path_);
 }
 
 void PathTracker::adopt(const Path& path) {
@@ -129,15 +100,25 @@ void PathTracker::project(const Pose2& pose) {
   if (found.distance_m > max_advance_m_) found = nearest(0.0, arcs_m_.back());
   arc_m_ = found.arc_m;
   deviation_m_ = found.distance_m;
+  pass_cusp(is_projected_ ? lo_m : -std::numeric_limits<double>::infinity());
   is_projected_ = true;
 }
 
+/// Continues from a cusp that is passed. `last_m`: the arc length before.
+void PathTracker::pass_cusp(double last_m) {
+  const auto next = std::find_if(cusps_.begin(), cusps_.end(),
+                                 [&](const Cusp& cusp) { return arcs_m_[cusp.index] > arc_m_; });
+  if (next == cusps_.end()) return;
+  const double cusp_m = arcs_m_[next->index];
+  if (next->is_passed(cusp_m - arc_m_, cusp_m - last_m)) arc_m_ = cusp_m;
+}
+
 double PathTracker::end_of_part(double length_m) const {
-  constexpr double kReached = 0.05;  // from a cusp, it is passed [m]
   const double from_m = is_projected_ ? arc_m_ : 0.0;
   const double end_m = std::min(from_m + length_m, arcs_m_.back());
-  for (const double cusp_m : cusps_m_) {
-    if (cusp_m > from_m + kReached) return std::min(end_m, cusp_m);
+  for (const Cusp& cusp : cusps_) {
+    const double cusp_m = arcs_m_[cusp.index];
+    if (cusp_m > from_m) return std::min(end_m, cusp_m);
   }
   return end_m;
 }
@@ -160,6 +141,24 @@ double PathTracker::heading_at(double arc_m) const {
   return path_[std::min(i, path_.size() - 1)].yaw;
 }
 
+double PathTracker::heading_between(double arc_m) const {
+  const auto after = std::upper_bound(arcs_m_.begin(), arcs_m_.end() - 1, arc_m);
+  const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - arcs_m_.begin() - 1, 0));
+  const std::size_t from = std::min(i, path_.size() - 2);
+  const double t =
+      std::clamp((arc_m - arcs_m_[from]) / (arcs_m_[from + 1] - arcs_m_[from]), 0.0, 1.0);
+  return wrap_angle(path_[from].yaw + t * wrap_angle(path_[from + 1].yaw - path_[from].yaw));
+}
+
+/// The robot's heading on an arc that the path has, and the arc's curvature.
+void PathTracker::describe_arc(double end_m, LocalPath* local) const {
+  constexpr double kOver_m = 0.06;
+  local->heading = heading_between(arc_m_);
+  const double over_m = std::min(kOver_m, end_m - arc_m_);
+  if (over_m <= 0.0) return;
+  local->curvature = wrap_angle(heading_between(arc_m_ + over_m) - local->heading) / over_m;
+}
+
 LocalPath PathTracker::update(const Path& path, const Pose2& pose, double spacing_m,
                               double length_m) {
   adopt(path);
@@ -180,6 +179,7 @@ LocalPath PathTracker::update(const Path& path, const Pose2& pose, double spacin
     if (has_headings_) local.headings.push_back(heading_at(arc_m));
   }
   if (has_headings_ && steps > 0) {
+    describe_arc(end_m, &local);
     const double off = wrap_angle(local.headings.front() - local.poses.front().yaw);
     local.is_reverse = std::fabs(off) > 0.5 * kPi;
   }

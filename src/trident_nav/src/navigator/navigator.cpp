@@ -84,6 +84,7 @@ void Navigator::set_parts(NavigatorParts parts) {
 }
 
 void Navigator::forget_progress(double now_s) {
+  is_blocked_ = false;
   since_ = Patience{};
   since_.plan_s = since_.command_s = since_.motion_s = since_.step_s = since_.progress_s = now_s;
   since_.request_s = -1e9;
@@ -136,6 +137,7 @@ void Navigator::note_motion(const NavigatorInput& input) {
   if (away_m < parts_.params.oscillation_distance) return;
   since_.motion_from = pose;
   since_.motion_s = input.now_s;
+  since_.path_left_m.reset();
   if (phase_ == Phase::kControlling) next_recovery_ = 0;
 }
 
@@ -223,7 +225,8 @@ void Navigator::take_plan(const NavigatorInput& input, NavigatorOutput* output) 
   since_.failed_plans = 0;
   const double left_m =
       std::max(parts_.footprint.circumscribed_radius, 2.0 * input.local.geometry.resolution);
-  if (std::exchange(is_rerouted_, false)) keeper_.clear();
+  const bool is_rerouted = std::exchange(is_rerouted_, false);
+  if (std::exchange(is_blocked_, false) || is_rerouted) keeper_.clear();
   output->has_new_path =
       keeper_.offer(std::move(outcome->path), input.now_s, input.robot_global, left_m, world_);
   if (phase_ != Phase::kPlanning) return;
@@ -291,9 +294,23 @@ void Navigator::note_progress(const NavigatorInput& input) {
   is_rerouted_ = true;
 }
 
+/// Between parked cars a robot moves without getting away: what it makes good of a path that
+/// changes gear counts, too.
+void Navigator::note_path_progress(const NavigatorInput& input) {
+  if (!keeper_.has_cusps()) return;
+  const double left_m = keeper_.left_m();
+  const double was_left_m = since_.path_left_m.value_or(left_m);
+  since_.path_left_m = was_left_m;
+  if (was_left_m - left_m < parts_.params.oscillation_distance) return;
+  since_.path_left_m = left_m;
+  since_.motion_from = since_.progress_from = input.state.pose;
+  since_.motion_s = since_.progress_s = input.now_s;
+}
+
 void Navigator::control(const NavigatorInput& input, NavigatorOutput* output) {
   const NavigatorParams& params = parts_.params;
   keeper_.advance(input.robot_global);
+  note_path_progress(input);
   note_progress(input);
   if (params.oscillation_timeout > 0.0 &&
       input.now_s - since_.motion_s > params.oscillation_timeout) {
@@ -319,6 +336,8 @@ void Navigator::control(const NavigatorInput& input, NavigatorOutput* output) {
 void Navigator::miss_command(const NavigatorInput& input, const CommandOutcome& outcome,
                              NavigatorOutput* output) {
   cause_ = outcome.reason;
+  // A base that turns in circles cannot go around what its path touches: it needs another one.
+  is_blocked_ = outcome.failure == Failure::kBlocked && parts_.limits.min_turning_radius > 0.0;
   if (input.now_s - since_.command_s >= parts_.params.controller_patience) {
     const std::string obstacle = world_.obstacle_text(input.state.pose);
     cause_ += (obstacle.empty() ? "" : " " + obstacle) + " controller_patience of " +
@@ -386,6 +405,7 @@ void Navigator::recover(const NavigatorInput& input, NavigatorOutput* output) {
       std::max(since_.command_s, input.now_s + kGrace_s - params.controller_patience);
   since_.motion_s = input.now_s;
   since_.motion_from = input.state.pose;
+  since_.path_left_m.reset();
   since_.failed_plans = 0;
 }
 

@@ -113,5 +113,24 @@ INSTANTIATE_TEST_SUITE_P(Laws, IgnoresSidewaysNoise,
                          ::testing::Values("dwa", "regulated_pure_pursuit", "mppi"),
                          [](const auto& info) { return std::string(info.param); });
 
+// What shuttles next to the goal comes no nearer, but turns to the goal's heading: only once that
+// ends, too, is what is reached enough.
+TEST(GoalArrival, ACarThatTurnsInItsSlotIsNotDoneYet) {
+  GoalTolerance tolerance;
+  tolerance.xy_goal_tolerance = 0.2;
+  tolerance.yaw_goal_tolerance = 0.15;
+  tolerance.fallback_time = 5.0;
+  GoalArrival arrival(tolerance, false);
+  const Pose2 goal{0.0, 0.0, 0.0};
+  double time_s = 0.0;
+  for (; time_s < 10.0; time_s += 0.1) {
+    const double yaw = 0.28 - 0.01 * time_s;
+    const RobotState state{{0.05, 0.0, yaw}, {}, time_s};
+    ASSERT_NE(arrival.update(state, goal), ArrivalPhase::kReached) << "at " << time_s << " s";
+  }
+  const RobotState stuck{{0.05, 0.0, 0.18}, {}, time_s + tolerance.fallback_time};
+  EXPECT_EQ(arrival.update(stuck, goal), ArrivalPhase::kReached);
+}
+
 }  // namespace
 }  // namespace trident::nav::testing

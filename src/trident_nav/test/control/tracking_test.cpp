@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -207,6 +208,24 @@ TEST(ObstacleTracker, AWalkerMovesAndAPillarDoesNotThoughTheRobotDoes) {
     EXPECT_NEAR(moving[0].position.y, discs[2].center.y, 0.2);
   }
   EXPECT_NE(id, 0);
+}
+
+// A parked car shows its side, then its rear, too: the center of what is seen wanders.
+TEST(ObstacleTracker, WhatIsSeenFromAnotherSideStands) {
+  constexpr double kRadius_m = 0.3;
+  const auto is_moving_after = [&](double travel_m) {
+    ObstacleTracker tracker({});
+    bool is_moving = false;
+    for (int i = 0; i < 40; ++i) {
+      const double t = 0.05 * i;
+      const double x = std::clamp(0.4 * (t - 0.5), 0.0, travel_m);
+      tracker.update({{{x, 2.0}, kRadius_m, 20, false}}, t);
+      is_moving = is_moving || !tracker.moving_at(t).empty();
+    }
+    return is_moving;
+  };
+  EXPECT_FALSE(is_moving_after(0.25));
+  EXPECT_TRUE(is_moving_after(0.5));
 }
 
 TEST(ObstacleTracker, TwoThatPassEachOtherKeepTheirIds) {

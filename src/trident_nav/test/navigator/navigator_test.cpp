@@ -18,7 +18,7 @@ class ScriptedWorld : public NavigatorWorld {
   void request_plan(const Pose2& start, const Pose2& goal) override {
     ++requests;
     if (plan_failure.empty()) {
-      outcome = PlanOutcome{{start, goal}, Failure::kNone, "", 1.0};
+      outcome = PlanOutcome{path.empty() ? Path{start, goal} : path, Failure::kNone, "", 1.0};
     } else {
       outcome = PlanOutcome{{}, Failure::kNoPath, plan_failure, 0.0};
     }
@@ -33,6 +33,7 @@ class ScriptedWorld : public NavigatorWorld {
   std::vector<StaleSource> stale_sources(double) override { return stale; }
   std::string obstacle_text(const Pose2&) override { return "A box is ahead."; }
 
+  Path path;  ///< Empty: straight to the goal.
   std::string plan_failure;
   std::optional<PlanOutcome> outcome;
   std::vector<ClearedArea> forgotten;
@@ -176,6 +177,44 @@ TEST_F(ScriptedNavigator, ARobotThatGetsNowhereOscillates) {
       << output.text;
 }
 
+TEST_F(ScriptedNavigator, ARobotThatShuttlesByItsPathDoesNotOscillate) {
+  constexpr double kPart_m = 0.05;
+  parts_.params.oscillation_timeout = 4.0;
+  parts_.params.oscillation_distance = 0.2;
+  world_.path = {{0.0, 0.0, 0.001}};
+  for (int i = 1; i <= 40; ++i) world_.path.push_back({i % 2 == 0 ? 0.0 : kPart_m, 0.0, 0.001});
+  world_.path.push_back({3.0, 0.0, 0.001});
+  Navigator navigator = make();
+  navigator.set_goal({3.0, 0.0, 0.0}, 0.0);
+  step(navigator);
+  for (int i = 1; i <= 40; ++i) {
+    input_.state.pose = input_.robot_global = world_.path[static_cast<std::size_t>(i)];
+    for (int k = 0; k < 5; ++k) {
+      ASSERT_EQ(step(navigator).status, NavigatorStatus::kActive) << "part " << i;
+    }
+  }
+  // Where it stays, it gets nowhere.
+  EXPECT_EQ(run(navigator, 10.0).status, NavigatorStatus::kAborted);
+}
+
+TEST_F(ScriptedNavigator, ACarTakesTheNextPlanOnceItsPathTouchesSomething) {
+  const auto replaces = [&](double min_turning_radius) {
+    parts_.limits.min_turning_radius = min_turning_radius;
+    parts_.params.planner_frequency = 5.0;
+    parts_.params.controller_frequency = 10.0;
+    controller_.outcome.failure = Failure::kNone;
+    Navigator navigator = make();
+    navigator.set_goal({3.0, 0.0, 0.0}, input_.now_s);
+    for (int i = 0; i < 10; ++i) step(navigator);
+    controller_.outcome.failure = Failure::kBlocked;
+    bool is_new = false;
+    for (int i = 0; i < 5; ++i) is_new = step(navigator).has_new_path || is_new;
+    return is_new;
+  };
+  EXPECT_TRUE(replaces(0.75));
+  EXPECT_FALSE(replaces(0.0));
+}
+
 TEST_F(ScriptedNavigator, BrakesAsHardThoughOdometryIsLate) {
   Navigator navigator = make();
   navigator.set_goal({30.0, 0.0, 0.0}, 0.0);
@@ -266,6 +305,27 @@ TEST(PathKeeper, KeepsAFreePathAgainstOneThatIsHardlyBetter) {
   EXPECT_FALSE(keeper.offer({{5, 0, 0}, {10, 0, 0}}, 1.0, robot, 0.2, world));  // committed
   EXPECT_TRUE(keeper.offer({{5, 0, 0}, {10, 0, 0}}, 10.0, robot, 0.2, world));  // half the cost
   EXPECT_TRUE(keeper.offer(old, 10.5, {0.0, 5.0, 0.0}, 0.2, world));            // it was left
+}
+
+TEST(PathKeeper, DrivesEachPartOfAShuttleBeforeTheNext) {
+  ScriptedWorld world;
+  PathKeeper keeper(NavigatorParams{});
+  Path path;
+  for (int i = 0; i <= 4; ++i) path.push_back({0.01 * i, 0.0, 0.001});
+  for (int i = 3; i >= 0; --i) path.push_back({0.01 * i, 0.0, 0.001});
+  for (int i = 1; i <= 4; ++i) path.push_back({0.01 * i, 0.0, 0.001});
+  ASSERT_TRUE(keeper.offer(path, 0.0, path.front(), 0.2, world));
+  const auto left_at = [&](double x) {
+    keeper.advance({x, 0.0, 0.001});
+    return keeper.remaining().size();
+  };
+  EXPECT_EQ(left_at(0.0), 13U);
+  EXPECT_EQ(left_at(0.028), 12U);  // from two poses behind it
+  EXPECT_EQ(left_at(0.0322), 12U);
+  EXPECT_EQ(left_at(0.0324), 9U);  // it has stopped within a quarter of the part: from the cusp
+  EXPECT_EQ(left_at(0.02), 9U);    // two poses behind it
+  EXPECT_EQ(left_at(0.004), 5U);   // within millimeters
+  EXPECT_EQ(left_at(0.04), 3U);
 }
 
 TEST_F(ScriptedNavigator, ARobotThatGetsNowhereLooksForAnotherPath) {

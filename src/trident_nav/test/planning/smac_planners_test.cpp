@@ -177,7 +177,10 @@ TEST(SmacHybridPlanner, OnlyReedsSheppBacksOutOfADeadEnd) {
   EXPECT_TRUE(drives_backwards(outcome.path));
 }
 
-TEST(SmacHybridPlanner, ASlotOfOnePointFourLengthsIsEnteredInSeveralMoves) {
+/// Two parked cars at a curb; the goal is between them.
+constexpr Pose2 kSlot{3.0, 0.96, 0.0};
+
+TestGrid slot_grid() {
   TestGrid grid(240, 160, kFreeCost, 0.025);
   const auto fill = [&](double x0, double y0, double x1, double y1) {
     for (int y = static_cast<int>(y0 / 0.025); y < static_cast<int>(y1 / 0.025); ++y) {
@@ -193,18 +196,29 @@ TEST(SmacHybridPlanner, ASlotOfOnePointFourLengthsIsEnteredInSeveralMoves) {
   fill(3.0 - ahead - length, 0.7, 3.0 - ahead, 1.1);
   fill(3.0 + ahead, 0.7, 3.0 + ahead + length, 1.1);
   grid.measure_distances(2.0F);
+  return grid;
+}
+
+class ASlotOfOnePointFourLengths : public ::testing::TestWithParam<Pose2> {};
+
+TEST_P(ASlotOfOnePointFourLengths, IsEnteredInSeveralMoves) {
+  const TestGrid grid = slot_grid();
   SmacHybridParams params = patient();
   params.motion_model_for_search = SmacMotionModel::kReedsShepp;
   params.minimum_turning_radius = 0.75;
   SmacHybridPlanner planner{params};
-  const Pose2 goal{3.0, 0.96, 0.0};
-  const PlanOutcome outcome = run(planner, grid.view(), {1.2, 2.0, 0.1}, goal);
+  const PlanOutcome outcome = run(planner, grid.view(), GetParam(), kSlot);
   ASSERT_EQ(outcome.failure, Failure::kNone) << outcome.reason;
   EXPECT_EQ(outcome.reason, "") << "the goal itself is reached";
   EXPECT_NEAR(outcome.path.back().yaw, 0.0, 1e-9);
   EXPECT_TRUE(is_free(grid.view(), outcome.path));
   EXPECT_TRUE(drives_backwards(outcome.path));
 }
+
+// From the lane, and by a car that stands in it already, but badly: it leaves it first.
+INSTANTIATE_TEST_SUITE_P(SmacHybridPlanner, ASlotOfOnePointFourLengths,
+                         ::testing::Values(Pose2{1.2, 2.0, 0.1}, Pose2{3.02, 1.0, 0.2},
+                                           Pose2{2.99, 1.01, -0.2}));
 
 TEST(SmacHybridPlanner, AGoalThatCannotBeEnteredIsReplacedWithinTheTolerance) {
   TestGrid grid(200, 200, kFreeCost, 0.05);

@@ -64,8 +64,9 @@ class GoalArrival {
   ArrivalPhase phase_ = ArrivalPhase::kApproach;
   Pose2 goal_;
   bool has_goal_ = false;
-  double nearest_m_ = 0.0;       ///< Least distance to the goal so far.
-  double nearest_time_s_ = 0.0;  ///< When that last fell.
+  double nearest_m_ = 0.0;        ///< Least distance to the goal so far.
+  double least_yaw_error_ = 0.0;  ///< Since then [rad].
+  double nearest_time_s_ = 0.0;   ///< When that last fell.
 };
 
 }  // namespace trident::nav

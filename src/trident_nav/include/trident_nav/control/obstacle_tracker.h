@@ -40,7 +40,8 @@ struct TrackerParams {
              "without being seen where it is hidden, or out of the field of view [s]");
     ar.field("min_speed", min_speed, Range::non_negative(), "what is slower stands [m/s]");
     ar.field("min_travel", min_travel, Range::non_negative(),
-             "from where it was confirmed, until an object counts as moving [m]");
+             "from where it was confirmed, and no less than its radius, until an object counts as "
+             "moving [m]");
   }
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "trident_nav/core/geometry.h"
+#include "trident_nav/core/path_cusps.h"
 
 namespace trident::nav {
 
@@ -21,6 +22,8 @@ struct LocalPath {
   bool is_reverse = false;       ///< The path's own headings want this part driven backwards.
   bool has_headings = false;     ///< The path has headings of its own that fit its direction.
   std::vector<double> headings;  ///< The path's own ones at the points, if it has any [rad].
+  double heading = 0.0;          ///< The path's own one at the projection, between poses [rad].
+  double curvature = 0.0;  ///< Of its headings from there on: the turn per path length [rad/m].
 
   double length_m() const { return spacing_m * static_cast<double>(poses.size() - 1); }
   /// The pose at an arc length, clamped to the ends.
@@ -45,14 +48,17 @@ class PathTracker {
   void adopt(const Path& path);
   void project(const Pose2& pose);
   void find_cusps();
+  void pass_cusp(double last_m);
   Pose2 pose_at(double arc_m) const;
   double heading_at(double arc_m) const;
+  double heading_between(double arc_m) const;
+  void describe_arc(double end_m, LocalPath* local) const;
   double end_of_part(double length_m) const;
 
   double max_advance_m_;
   Path path_;
-  std::vector<double> arcs_m_;   ///< Of the path's points.
-  std::vector<double> cusps_m_;  ///< Arc lengths at which the direction of travel is reversed.
+  std::vector<double> arcs_m_;  ///< Of the path's points.
+  std::vector<Cusp> cusps_;
   bool has_headings_ = false;
   bool is_projected_ = false;
   double arc_m_ = 0.0;

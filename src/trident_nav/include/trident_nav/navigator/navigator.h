@@ -87,6 +87,7 @@ class Navigator {
 
   void forget_progress(double now_s);
   void note_motion(const NavigatorInput& input);
+  void note_path_progress(const NavigatorInput& input);
   void note_progress(const NavigatorInput& input);
   double stuck_time_s() const;
   bool waits_for_sources(const NavigatorInput& input, NavigatorOutput* output);
@@ -118,6 +119,7 @@ class Navigator {
     double progress_s = 0.0, failing_s = 0.0;
     Pose2 progress_from;
     Pose2 motion_from;
+    std::optional<double> path_left_m;  ///< Of the path, then.
     int failed_plans = 0;
     bool has_request = false;
   };
@@ -138,6 +140,7 @@ class Navigator {
   Slow slow_;
   LastCommand last_command_;
   std::string cause_;
+  bool is_blocked_ = false;   // the next path replaces the one that touches something
   bool is_rerouted_ = false;  // the next path replaces the one that the robot is stuck on
 };
 

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <vector>
 
 #include "trident_nav/core/geometry.h"
+#include "trident_nav/core/path_cusps.h"
 #include "trident_nav/navigator/navigator_params.h"
 #include "trident_nav/navigator/navigator_world.h"
 
@@ -25,10 +28,15 @@ class PathKeeper {
   void clear();
   bool has_path() const { return !path_.empty(); }
   const Path& path() const { return path_; }
+  /// Whether it reverses its direction of travel anywhere.
+  bool has_cusps() const { return !cusps_.empty(); }
   /// The part of the path from just behind the robot on.
   Path remaining() const;
+  /// Its length, from the pose nearest to the robot [m].
+  double left_m() const;
 
-  /// Moves on along the path to the pose nearest to the robot.
+  /// Moves on along the path to the pose nearest to the robot, beyond a cusp not before that is
+  /// reached.
   void advance(const Pose2& robot);
   /// Takes a new path if it is to be followed. `left_m`: farther than this from the old path, the
   /// robot has left it. Returns true when the path was taken.
@@ -37,11 +45,17 @@ class PathKeeper {
  private:
   bool keeps_old(const Path& path, double now_s, const Pose2& robot, double left_m,
                  NavigatorWorld& world) const;
+  const Cusp* next_cusp() const;
+  double left_to(const Cusp& cusp, const Pose2& robot) const;
+  void advance_to(std::size_t last, const Pose2& robot);
 
   double hysteresis_;
   double commit_s_;
   Path path_;
-  std::size_t nearest_ = 0;  // index of the pose nearest to the robot
+  std::vector<Cusp> cusps_;
+  std::size_t nearest_ = 0;     // index of the pose nearest to the robot
+  std::size_t part_begin_ = 0;  // of the cusp that was passed last
+  double left_to_cusp_m_ = std::numeric_limits<double>::infinity();  // in the last call
   double taken_s_ = 0.0;
 };
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "../laws.h"
+#include "../maneuver_follower.h"
 #include "../steering.h"
 #include "critics/critic_scene.h"
 #include "deliberate_samples.h"
@@ -24,6 +26,7 @@ class MppiLaw final : public ControlLaw {
         optimizer_(model_, params, setup.seed, setup.threads),
         deliberate_(model_.steps),
         trail_(2.0 * model_.length_m) {
+    if (params_.follow_maneuvers && ManeuverFollower::is_needed(setup)) maneuvers_.emplace(setup);
     reset();
   }
 
@@ -35,6 +38,7 @@ class MppiLaw final : public ControlLaw {
   void reset() override {
     plan_.assign(static_cast<std::size_t>(model_.steps), Twist2{});
     trail_.clear();
+    if (maneuvers_) maneuvers_->reset();
     optimizer_.rewind_noise();
     sent_ = {};
     last_time_s_ = 0.0;
@@ -52,6 +56,7 @@ class MppiLaw final : public ControlLaw {
   MppiOptimizer optimizer_;
   Rollouts deliberate_;
   Trail trail_;
+  std::optional<ManeuverFollower> maneuvers_;
   GridWithDistances distances_;
   ControlPlan plan_;
   Twist2 sent_;
@@ -120,6 +125,9 @@ Proposal MppiLaw::propose(const Situation& situation) {
   const CostGrid grid = distances_.of(situation.grid);
   trail_.add(situation.state.pose, grid.geometry.resolution);
   shift_plan(situation.state.time_s);
+  if (maneuvers_) {
+    if (const auto twist = maneuvers_->follow(situation)) return {*twist, Failure::kNone, ""};
+  }
   const RolloutStart start{situation.state.pose.yaw,
                            params_.open_loop ? sent_ : situation.state.twist};
   const RatedPlan rated = optimized(situation, grid, start);

@@ -228,6 +228,7 @@ struct MppiParams {
   bool regenerate_noises = false;
   bool open_loop = false;
   bool visualize = false;
+  bool follow_maneuvers = true;
   TrajectoryVisualizerParams TrajectoryVisualizer;
   std::optional<double> prune_distance;
   double transform_tolerance = 0.1;
@@ -273,6 +274,8 @@ struct MppiParams {
     ar.field("regenerate_noises", regenerate_noises, "fresh noise for each command");
     ar.field("open_loop", open_loop, "the last command stands for the measured speed");
     ar.field("visualize", visualize, "the sampled trajectories are published");
+    ar.field("follow_maneuvers", follow_maneuvers,
+             "a base that turns in circles follows the arcs about its changes of gear exactly");
     ar.field("TrajectoryVisualizer", TrajectoryVisualizer, "which of them");
     ar.field("prune_distance", prune_distance, Range::positive(),
              "of the path that is looked at; default: the horizon's length [m]");

@@ -82,8 +82,9 @@ void ObstacleTracker::judge_motion(Object* object) const {
   const double noise = object->position_variance + params_.position_noise * params_.position_noise;
   const bool is_significant =
       speed * speed > object->velocity_variance && traveled_m * traveled_m > params_.gate * noise;
-  object->is_moving =
-      is_significant && speed > params_.min_speed && traveled_m > params_.min_travel;
+  // What is seen from another side has its center elsewhere, by no more than its radius.
+  const double least_m = std::max(params_.min_travel, object->radius_m);
+  object->is_moving = is_significant && speed > params_.min_speed && traveled_m > least_m;
 }
 
 // The nearest pairs first; each object and each cluster once.

@@ -117,12 +117,16 @@ void PoseRoute::allow_start(Request& request, FootprintContact& contact) {
   comment(request.outcome, "The footprint covers an obstacle at the start, which is ignored.");
 }
 
+void PoseRoute::place_start(PoseSearch::Query& query, const Pose2& start) const {
+  query.start = start;
+  query.start_heading = static_cast<unsigned>(motions_.nearest_heading(start.yaw));
+  query.offset = start.yaw - motions_.heading(query.start_heading);
+}
+
 bool PoseRoute::leave_start(Request& request, FootprintContact& contact, double reach_m) const {
   const GridGeometry& g = request.grid.geometry;
   PoseSearch::Query& query = request.query;
-  query.start = to_cells(g, request.start);
-  query.start_heading = static_cast<unsigned>(motions_.nearest_heading(request.start.yaw));
-  query.offset = request.start.yaw - motions_.heading(query.start_heading);
+  place_start(query, to_cells(g, request.start));
   if (contact.in_contact(request.start)) allow_start(request, contact);
   const Cell cell = g.cell(request.start.x, request.start.y);
   const std::vector<Cell> escape = escape_cells(request.grid, open_cells_, cell, reach_m);

@@ -65,6 +65,8 @@ class PoseRoute {
   PoseSearch::Result run(Request& request, TravelPath& path);
   std::optional<TravelPath> find_approach(Request& request);
   bool enter_slot(Request& request, TravelPath& path);
+  bool leave_slot(Request& request, TravelPath& path);
+  void place_start(PoseSearch::Query& query, const Pose2& start) const;
   bool join_approach(Request& request, const TravelPath& approach, TravelPath& path);
   void use(Request& request, TravelPath path, const CurveChecker& checker) const;
   void use_nearest(Request& request, PoseSearch::Result result, const CurveChecker& checker) const;

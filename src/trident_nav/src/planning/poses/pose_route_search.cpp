@@ -55,7 +55,7 @@ PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
   PoseSearch::Result result = search_.search(request.grid, query, request.cancel);
   iterations_ = search_.iterations();
   if (result != PoseSearch::Result::kFound && result != PoseSearch::Result::kCanceled &&
-      enter_slot(request, path)) {
+      (enter_slot(request, path) || leave_slot(request, path))) {
     return PoseSearch::Result::kFound;
   }
   if (result == PoseSearch::Result::kTooManyIterations && query.stop_within <= 0.0) {
@@ -86,6 +86,34 @@ bool PoseRoute::enter_slot(Request& request, TravelPath& path) {
   gate_heuristic_.aim(request.grid, {static_cast<int>(begin.x), static_cast<int>(begin.y)});
   if (!join_approach(request, in, path)) return false;
   request.outcome.cost += static_cast<double>(in.points.size());
+  return true;
+}
+
+// Out of the slot that the start is in, and on from there; perhaps into the same slot again.
+bool PoseRoute::leave_slot(Request& request, TravelPath& path) {
+  const auto out = out_of_slot(*request.query.checker, request.query.start);
+  if (!out) return false;
+  Request outside = request;
+  place_start(outside.query, out->points.back().pose);
+  const Pose2& start = outside.query.start;
+  outside.exit = {static_cast<int>(start.x), static_cast<int>(start.y)};
+  outside.query.exit = start;
+  outside.query.exit_reach = 0.0;
+  if (!heuristic_.reach(outside.exit, request.cancel)) return false;
+  outside.query.exit_cost =
+      std::max(1e-6, static_cast<double>(heuristic_.at(outside.exit.x, outside.exit.y)));
+  TravelPath rest;
+  const PoseSearch::Result result = search_.search(request.grid, outside.query, request.cancel);
+  iterations_ += search_.iterations();
+  if (result == PoseSearch::Result::kFound) {
+    rest = search_.path();
+    outside.outcome.cost = search_.cost();
+  } else if (!enter_slot(outside, rest)) {
+    return false;
+  }
+  path = *out;
+  path.points.insert(path.points.end(), rest.points.begin() + 1, rest.points.end());
+  request.outcome.cost = outside.outcome.cost + static_cast<double>(out->points.size());
   return true;
 }
 
