@@ -119,7 +119,7 @@ class Navigator {
     double progress_s = 0.0, failing_s = 0.0;
     Pose2 progress_from;
     Pose2 motion_from;
-    std::optional<double> path_left_m;  ///< Of the path, then.
+    std::optional<double> path_left_m;  ///< Length of the path left at `motion_from`.
     int failed_plans = 0;
     bool has_request = false;
   };
