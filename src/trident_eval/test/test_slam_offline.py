@@ -94,6 +94,20 @@ def test_bags_go_to_their_reader(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
         offline.command(offline.Run(tmp_path / "none.bag", "m", tmp_path))
 
 
+@pytest.mark.parametrize("name", ["slam_offline", "slam_offline_bag", "landmark_offline"])
+def test_an_error_is_said_by_the_caller_alone(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+    name: str,
+) -> None:
+    words = ["sh", "-c", f"echo warning: odd >&2; echo {name}: a.bag: damaged >&2; exit 1"]
+    monkeypatch.setattr(offline, "command", lambda run: words)
+    with pytest.raises(EvalError, match=r"^warning: odd\na.bag: damaged$"):
+        offline.run_log(offline.Run(tmp_path / "a.bag", "m", tmp_path))
+    assert capfd.readouterr().err == "warning: odd\n"
+
+
 def test_landmarks_go_to_their_filter(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(offline, "program", lambda package, name: f"{package}/{name}")
     run = offline.Run(tmp_path / "park.txt", offline.LANDMARK_METHOD, tmp_path)

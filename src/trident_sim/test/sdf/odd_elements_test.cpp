@@ -65,6 +65,35 @@ TEST(OddElements, ACollisionWhoseMeshIsMissingIsLeftOut) {
   EXPECT_TRUE(world.models[0].links[0].collisions.empty());
 }
 
+TEST(OddElements, ACollisionWithAShapeThatIsNotSimulatedIsLeftOut) {
+  for (const char* shape :
+       {"<cone><radius>1</radius></cone>", "<ellipsoid><radii>1 2 3</radii></ellipsoid>",
+        "<image><uri>map.png</uri></image>"}) {
+    WorldSpec world;
+    const std::string odd = odd_element_of(
+        in_world("<model name='m'><link name='l'>\n<collision name='c'><geometry>" +
+                 std::string(shape) + "</geometry></collision></link></model>" + ball("a")),
+        &world);
+    const std::string name(shape, std::string(shape).find('>') + 1);
+    EXPECT_TRUE(contains(odd, "odd.world:3: link 'l' collision 'c': <geometry> has " + name));
+    EXPECT_TRUE(contains(odd, "simulated are box, sphere, "));
+    ASSERT_EQ(world.models.size(), 2u);
+    EXPECT_TRUE(world.models[0].links[0].collisions.empty());
+  }
+}
+
+TEST(OddElements, AVisualWithAShapeThatIsNotSimulatedIsSaid) {
+  std::vector<std::string> said;
+  load_world_string(
+      in_world(
+          "<model name='m'><link name='l'>\n<visual name='v'><geometry><cone/></geometry>"
+          "</visual><visual name='none'><geometry><empty/></geometry></visual></link></model>"),
+      "odd.world", Resources(), [&](const auto& text) { said.push_back(text); },
+      OddElements::kRefuse);
+  ASSERT_EQ(said.size(), 1u) << testing::PrintToString(said);
+  EXPECT_TRUE(contains(said[0], "odd.world:3: link 'l' visual 'v': <geometry> has <cone>"));
+}
+
 TEST(OddElements, AValueBeyondTheSpecificationIsLeftOut) {
   WorldSpec world;
   const std::string odd =

@@ -62,6 +62,29 @@ TEST_F(SdfSourcesTest, SoAreModelsThatIncludeEachOther) {
   EXPECT_EQ(load("a", OddElements::kLeaveOut).links.size(), 4u);
 }
 
+/// libsdformat finds files by their whole path without asking, and reads them itself where a model
+/// is in error, here without a link.
+TEST_F(SdfSourcesTest, SoIsOneThatNamesItselfByItsWholePath) {
+  const std::string path = folder_.path() + "/self.sdf";
+  for (const std::string& uri : {path, "file://" + path}) {
+    folder_.write("self.sdf", "<sdf version='1.6'><model name='a'>\n<include><uri> " + uri +
+                                  " </uri></include></model></sdf>");
+    const std::string xml =
+        "<sdf version='1.6'><world name='w'>\n<include><uri>" + uri +
+        "</uri></include><model name='m'><link name='l'/></model></world></sdf>";
+    const auto load = [&](OddElements odd) {
+      return load_world_string(
+          xml, "top.world", Resources(), [](const auto&) {}, odd);
+    };
+    EXPECT_TRUE(contains(error_of([&] { load(OddElements::kRefuse); }),
+                         path + ":2: <include> of '" + uri + "' leads back to itself"));
+    const WorldSpec world = load(OddElements::kLeaveOut);
+    ASSERT_FALSE(world.odd_elements.empty());
+    EXPECT_TRUE(contains(world.odd_elements[0], "' leads back to itself"));
+    EXPECT_EQ(world.models.back().name, "m");
+  }
+}
+
 TEST_F(SdfSourcesTest, AModelWhoseFileIsNotThereIsReportedAsThat) {
   folder_.write("dock/model.config",
                 "<model><name>m</name><sdf version='1.6'>model.sdf</sdf></model>");

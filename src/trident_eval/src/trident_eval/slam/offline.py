@@ -25,7 +25,7 @@ _PGM = re.compile(rb"P5\s+(?:#[^\n]*\n\s*)*(\d+)\s+(\d+)\s+\d+\s")
 _PGM_HEAD = 4096
 #: Of a map that is drawn and judged: 350 m by 350 m at 5 cm. Each takes some ten bytes then.
 MAX_CELLS = 50_000_000
-_ERROR = "slam_offline: "  # what an error of the program begins with
+_ERROR = re.compile(r"(slam_offline(_bag)?|landmark_offline): ")  # an error begins with it
 _SHOWN_LINES = 5
 _CHOSEN = "scans: "  # what the line begins with that names the topics of a bag
 
@@ -130,7 +130,7 @@ def _follow(stream: IO[str], show: bool) -> list[str]:
         if found is None:
             if not line.startswith(_CHOSEN):  # it is no reason for a failure
                 said.append(line.rstrip())
-            if show and not line.startswith(_ERROR):  # an error is the caller's to say
+            if show and not _ERROR.match(line):  # an error is the caller's to say
                 print(("\n" if is_bar_shown else "") + line.rstrip(), file=sys.stderr)
                 is_bar_shown = False
         elif show and sys.stderr.isatty():
@@ -138,7 +138,7 @@ def _follow(stream: IO[str], show: bool) -> list[str]:
             is_bar_shown = True
     if is_bar_shown:
         print(file=sys.stderr)
-    return [line.removeprefix(_ERROR) for line in said]
+    return [_ERROR.sub("", line, count=1) if _ERROR.match(line) else line for line in said]
 
 
 def bar(percent: int, scans: int) -> str:

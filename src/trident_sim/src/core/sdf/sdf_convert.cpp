@@ -55,7 +55,25 @@ std::optional<std::string> find_file(const char* kind, const std::string& uri,
   return std::nullopt;
 }
 
-/// The shape, or nothing for one that is not simulated (said once) or whose file is missing.
+/// Of a shape that is not simulated: the element's name; empty for one that wants no shape.
+std::string shape_element(const sdf::ElementPtr& owner) {
+  const auto geometry = descend(owner, {"geometry"});
+  const auto shape = geometry ? geometry->GetFirstElement() : nullptr;
+  return shape && shape->GetName() != "empty" ? shape->GetName() : "";
+}
+
+/// Says it of a visual; throws for a collision, through which bodies would fall.
+void refuse_shape(const ShapeOwner& owner, const ConvertContext& context) {
+  const std::string shape = shape_element(owner.element);
+  if (shape.empty()) return;
+  const std::string text =
+      context.label + ": " + owner.name + ": <geometry> has <" + shape +
+      ">, simulated are box, sphere, cylinder, capsule, plane, mesh and heightmap";
+  if (owner.is_collision) throw Error(text);
+  context.warn(placed(text, owner.element, context));
+}
+
+/// The shape, or nothing for one that is not simulated or whose file is missing.
 std::optional<Shape> convert_shape(const sdf::Geometry& geometry, const ShapeOwner& owner,
                                    const ConvertContext& context) {
   switch (geometry.Type()) {
@@ -80,12 +98,8 @@ std::optional<Shape> convert_shape(const sdf::Geometry& geometry, const ShapeOwn
       if (!file) return std::nullopt;
       return HeightmapShape{*file, to_eigen(heightmap.Size())};
     }
-    case sdf::GeometryType::EMPTY:
-      return std::nullopt;
     default:
-      context.warn(context.label + ": " + owner.name +
-                   ": geometry type is not simulated (known: box, sphere, cylinder, capsule, "
-                   "plane, mesh, heightmap)");
+      refuse_shape(owner, context);
       return std::nullopt;
   }
 }

@@ -21,6 +21,8 @@ namespace {
 
 using tinyxml2::XMLElement;
 
+/// Followed by the name of a copy.
+constexpr char kCopyUri[] = "model://trident_sdf_copy";
 constexpr char kNotFound[] = " not found; searched: ";
 
 std::string uri_of(const XMLElement& include) {
@@ -35,6 +37,19 @@ bool is_urdf(const std::string& text) {
   document.Parse(text.c_str(), text.size());
   const XMLElement* const root = document.RootElement();
   return root != nullptr && root->Name() == std::string("robot");
+}
+
+/// Replaces what stands alone between two tags.
+void replace_content(std::string& text, const std::string& content, const std::string& by) {
+  constexpr char kBlank[] = " \t\r\n";
+  for (auto at = text.find(content); at != std::string::npos; at = text.find(content, at)) {
+    const auto before = at == 0 ? std::string::npos : text.find_last_not_of(kBlank, at - 1);
+    const auto behind = text.find_first_not_of(kBlank, at + content.size());
+    const bool is_alone = before != std::string::npos && behind != std::string::npos &&
+                          text[before] == '>' && text[behind] == '<';
+    if (is_alone) text.replace(at, content.size(), by);
+    at += is_alone ? by.size() : content.size();
+  }
 }
 
 std::string number(std::uint64_t value) { return std::to_string(value); }
@@ -79,6 +94,7 @@ const SdfSources::Found& SdfSources::look_up(const std::string& uri) const {
 }
 
 std::string SdfSources::find(const std::string& uri) const {
+  if (uri.rfind(kCopyUri, 0) == 0) return folder_ + uri.substr(std::size(kCopyUri) - 1);
   const Found& found = look_up(uri);
   const auto known = files_.find(found.file);
   return known == files_.end() || known->second.copy.empty() ? found.path : known->second.copy;
@@ -111,7 +127,19 @@ SdfSources::Size SdfSources::visit(std::string& text, const std::string& label, 
     visit_includes(*document.RootElement(), label, depth, size, cut);
   }
   for (const Include& include : cut) cut_element(text, include.line, "include", include.before);
+  name_copies(text);
   return size;
+}
+
+/// A file that a URI names by its path libsdformat reads without asking for the copy, and without
+/// end if it leads back to itself: such a URI is replaced by one that only find() knows.
+void SdfSources::name_copies(std::string& text) const {
+  for (const auto& [uri, found] : found_) {
+    const bool is_path = !uri.empty() && (uri.front() == '/' || uri.rfind("file:", 0) == 0);
+    const auto file = files_.find(found.file);
+    if (!is_path || file == files_.end() || file->second.copy.empty()) continue;
+    replace_content(text, uri, kCopyUri + file->second.copy.substr(folder_.size()));
+  }
 }
 
 /// Says so of an include in `parent`, and notes that the model lacks something.
@@ -244,6 +272,12 @@ void SdfSources::repair_files() {
     }
     if (file.text != before) save_copy(file);
   }
+  for (auto& [path, file] : files_) {
+    const std::string before = file.text;
+    name_copies(file.text);
+    if (file.text != before) save_copy(file);
+  }
+  name_copies(text_);
 }
 
 bool SdfSources::repair_text() {

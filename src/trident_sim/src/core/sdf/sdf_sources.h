@@ -85,6 +85,7 @@ class SdfSources {
   /// Reads the file and what it includes; why that cannot be, or "".
   std::string open(const std::string& path, int depth, File& file);
   void save_copy(File& file);
+  void name_copies(std::string& text) const;
   void repair(std::string& text, const std::string& label);
 
   std::string text_, label_;
