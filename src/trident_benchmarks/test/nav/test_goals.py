@@ -14,7 +14,8 @@ pytest.importorskip("rospy", reason="the workspace is not sourced")
 
 from nav_msgs.msg import Odometry
 from trident_benchmarks.nav.drive_node import plane_pose
-from trident_benchmarks.nav.goals import Places, Tried
+from trident_benchmarks.nav.goals import Places, Route, Tried, lower_bound_s
+from trident_benchmarks.nav.limits import RobotLimits
 from trident_benchmarks.nav.pictures.drives import draw_drive
 from trident_sim.occupancy import FREE, OCCUPIED, OccupancyMap
 
@@ -42,9 +43,47 @@ def test_there_is_no_room_in_walls_and_beyond(place: tuple[float, float]) -> Non
 def test_goals_have_the_room_that_was_asked_for() -> None:
     places, random = room(), np.random.default_rng(1)
     for _ in range(50):
-        (x, y, _yaw), length_m = places.goal(random, (0.0, 0.0, 0.0), 0.5)
+        (x, y, _yaw), route = places.goal(random, (0.0, 0.0, 0.0), 0.5)
         assert places.clearance(x, y) > 0.2 - RESOLUTION_M
-        assert length_m >= 0.5
+        # Nothing is in between, whatever the cells' neighbors are.
+        assert route.length_m == pytest.approx(math.hypot(x, y), abs=RESOLUTION_M)
+        assert math.cos(route.leaves_rad - math.atan2(y, x)) > 0.9
+        assert math.cos(route.arrives_rad - math.atan2(y, x)) > 0.9
+
+
+def test_routes_go_tight_around_corners() -> None:
+    cells = np.full((80, 80), FREE, dtype=np.int8)
+    cells[38:42, :60] = OCCUPIED  # a wall from the left, 1 m of door at the right
+    places = Places(OccupancyMap(cells, RESOLUTION_M, (-2.0, -2.0)), 0.2, 0.25)
+    random = np.random.default_rng(2)
+    beyond = 0
+    for _ in range(50):
+        (x, y, _yaw), route = places.goal(random, (-1.0, -1.0, 0.0), 0.5)
+        straight = math.hypot(x + 1.0, y + 1.0)
+        if y < -0.3:
+            assert route.length_m == pytest.approx(straight, abs=2.0 * RESOLUTION_M)
+            continue
+        around = math.hypot(2.0, 0.9) + math.hypot(x - 1.0, y - 0.1)  # the corner itself
+        assert route.length_m > straight
+        assert around < route.length_m + 0.1 or x > 1.0
+        beyond += 1
+    assert beyond > 10
+
+
+def test_bounds_of_times_have_the_turns_of_robots_that_drive_straight(tmp_path: Path) -> None:
+    text = """
+    local_costmap: {robot_radius: 0.2}
+    TrajectoryPlannerROS: {max_vel_x: 0.5, max_vel_theta: 2.0, min_turning_radius: %s}
+    """
+    (tmp_path / "turns.yaml").write_text(text % 0.0)
+    (tmp_path / "car.yaml").write_text(text % 0.7)
+    route = Route(length_m=3.0, leaves_rad=1.0, arrives_rad=-1.0)
+    start, goal = (0.0, 0.0, 0.0), (9.0, 9.0, 2.0 * math.pi - 2.0)
+    bounds = [
+        lower_bound_s(route, start, goal, RobotLimits(tmp_path / name))
+        for name in ("turns.yaml", "car.yaml")
+    ]
+    assert bounds == pytest.approx([3.0 / 0.5 + (1.0 + 1.0) / 2.0, 3.0 / 0.5])
 
 
 def test_a_pose_that_is_none_is_not_taken() -> None:

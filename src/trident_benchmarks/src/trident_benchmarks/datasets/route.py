@@ -77,9 +77,9 @@ class Roads:
             nearest = sorted(reached, key=lambda stop: float(length[stop]))[:2]
             here = int(random.choice(nearest))
             left.discard(here)
-            path += _path(before, path[-1], here)
+            path += steps_between(before, path[-1], here)
         _, before = dijkstra(self._graph, indices=here, return_predecessors=True)
-        path += _path(before, here, stops[0])
+        path += steps_between(before, here, stops[0])
         return straightened(self.places[path])
 
     def _scattered(self, first: int, apart_m: float) -> list[int]:
@@ -142,7 +142,7 @@ def grid_graph(rows: Ints, columns: Ints, shape: tuple[int, ...], side: float) -
     return csr_array((np.tile(c, 2), (np.concatenate((a, b)), np.concatenate((b, a)))), shape=size)
 
 
-def _path(before: npt.NDArray[np.int32], begin: int, end: int) -> list[int]:
+def steps_between(before: npt.NDArray[np.int32], begin: int, end: int) -> list[int]:
     """From behind `begin` up to `end`."""
     path = []
     while end != begin:

@@ -205,9 +205,9 @@ class Drive:
         start = self._truth.pose()
         assert start is not None
         # What the truth is when a goal has ended depends on which message comes first.
-        goal, length_m = self._places.goal(self._random, self._last_goal or start, _MIN_DISTANCE_M)
+        goal, route = self._places.goal(self._random, self._last_goal or start, _MIN_DISTANCE_M)
         self._last_goal = goal if self._is_lockstep else None
-        bound_s = lower_bound_s(length_m, start, goal, self._robot.speed, self._robot.turning_rate)
+        bound_s = lower_bound_s(route, start, goal, self._robot)
         self._truth.take_nearest()
         begin_s = rospy.get_time()
         client.send_goal(_message(goal))

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING
@@ -14,13 +15,29 @@ from scipy import ndimage
 from scipy.sparse.csgraph import dijkstra
 from trident_eval.core.errors import EvalError
 
-from trident_benchmarks.datasets.route import grid_graph
+from trident_benchmarks.datasets.route import grid_graph, steps_between
+from trident_benchmarks.nav.limits import RobotLimits
 
 if TYPE_CHECKING:
     from trident_sim.occupancy import OccupancyMap
 
 Floats = npt.NDArray[np.float64]
 Pose = tuple[float, float, float]  # x, y [m, world], yaw [rad]
+
+
+@dataclass(frozen=True)
+class Route:
+    """A shortest path between two places.
+
+    Attributes:
+        length_m: of it.
+        leaves_rad: the direction in which it begins.
+        arrives_rad: the direction in which it ends.
+    """
+
+    length_m: float
+    leaves_rad: float
+    arrives_rad: float
 
 
 class Places:
@@ -40,6 +57,7 @@ class Places:
         from trident_sim.occupancy import FREE
 
         self._grid = grid
+        self._inscribed_m = inscribed_m
         cells, self._obstacles = ndimage.distance_transform_edt(
             grid.cells == FREE, return_indices=True
         )
@@ -62,33 +80,65 @@ class Places:
         offset = at - np.clip(at, lowest, lowest + 1.0)
         return float(np.hypot(*offset)) * self._grid.resolution
 
-    def lengths_from(self, x: float, y: float) -> Floats:
-        """The shortest paths from near a point to each place [m], infinite where no path leads."""
-        nearest = int(np.argmin(np.linalg.norm(self._points - (x, y), axis=1)))
-        return np.asarray(dijkstra(self._graph, indices=nearest), dtype=float)
-
-    def goal(self, random: np.random.Generator, start: Pose, least_m: float) -> tuple[Pose, float]:
+    def goal(self, random: np.random.Generator, start: Pose, least_m: float) -> tuple[Pose, Route]:
         """A random goal that can be reached, and the shortest path to it.
 
         Args:
             random: of the choice.
             start: where the robot is.
-            least_m: of the path [m].
+            least_m: of the path from cell to cell [m].
 
         Returns:
-            The goal, and the length of the path [m].
+            The goal, and the path there.
 
         Raises:
             EvalError: no place is that far away.
         """
-        length = self.lengths_from(start[0], start[1])[self._roomy]
+        nearest = int(np.argmin(np.linalg.norm(self._points - start[:2], axis=1)))
+        lengths, before = dijkstra(self._graph, indices=nearest, return_predecessors=True)
+        length = lengths[self._roomy]
         choice = np.flatnonzero(np.isfinite(length) & (length >= least_m))
         if not len(choice):
             raise EvalError(f"no free place can be reached that is {least_m:g} m away")
-        chosen = int(random.choice(choice))
-        x, y = self._points[self._roomy[chosen]]
+        chosen = int(self._roomy[int(random.choice(choice))])
+        x, y = self._points[chosen]
         yaw = float(random.uniform(-math.pi, math.pi))
-        return (float(x), float(y), yaw), float(length[chosen])
+        stops = [nearest, *steps_between(before, nearest, chosen)]
+        return (float(x), float(y), yaw), self._route(self._points[stops])
+
+    def _route(self, points: Floats) -> Route:
+        """A path from cell to cell, pulled tight from both ends."""
+        points = self._pulled(self._pulled(points)[::-1])[::-1]
+        legs = np.diff(points, axis=0)
+        first, last = (float(np.arctan2(leg[1], leg[0])) for leg in (legs[0], legs[-1]))
+        return Route(float(np.linalg.norm(legs, axis=1).sum()), first, last)
+
+    def _pulled(self, points: Floats) -> Floats:
+        """From each point on straight to the farthest one that is seen from there."""
+        fine = _densified(points, self._grid.resolution)
+        kept = [0]
+        while kept[-1] < len(fine) - 1:
+            seen = kept[-1] + 1
+            while seen + 1 < len(fine) and self._is_open(fine[kept[-1]], fine[seen + 1]):
+                seen += 1
+            kept.append(seen)
+        return fine[kept]
+
+    def _is_open(self, begin: Floats, end: Floats) -> bool:
+        """Whether the inscribed circle passes straight from one point to another."""
+        count = 2 + int(np.linalg.norm(end - begin) / (0.5 * self._grid.resolution))
+        on_line = begin + np.linspace(0.0, 1.0, count)[:, None] * (end - begin)
+        cells = np.floor((on_line - self._grid.origin) / self._grid.resolution).astype(int)
+        return bool(np.all(self._clear_m[cells[:, 1], cells[:, 0]] > self._inscribed_m))
+
+
+def _densified(points: Floats, apart_m: float) -> Floats:
+    """The same path with more points on its legs."""
+    parts = [points[:1]]
+    for begin, end in itertools.pairwise(points):
+        count = 1 + int(np.linalg.norm(end - begin) / apart_m)
+        parts.append(begin + np.linspace(0.0, 1.0, count + 1)[1:, None] * (end - begin))
+    return np.concatenate(parts)
 
 
 @dataclass(frozen=True)
@@ -140,9 +190,15 @@ class Verdict:
         ]
 
 
-def lower_bound_s(
-    length_m: float, start: Pose, goal: Pose, speed: float, turning_rate: float
-) -> float:
-    """The shortest path at full speed, and the turn between the two headings."""
-    turn = abs(math.remainder(goal[2] - start[2], 2.0 * math.pi))
-    return max(length_m / speed, turn / turning_rate)
+def lower_bound_s(route: Route, start: Pose, goal: Pose, limits: RobotLimits) -> float:
+    """The shortest path of the inscribed circle at full speed, and the turns at its ends.
+
+    Turns that a robot makes while it drives take no time of their own; those of one that cannot
+    turn on the spot do not, either.
+    """
+    turns = (
+        math.remainder(route.leaves_rad - start[2], 2.0 * math.pi),
+        math.remainder(goal[2] - route.arrives_rad, 2.0 * math.pi),
+    )
+    turning = abs(turns[0]) + abs(turns[1]) if limits.drives_straight else 0.0
+    return route.length_m / limits.speed + turning / limits.turning_rate

@@ -27,6 +27,8 @@ class RobotLimits:
             raise EvalError(f"{file}: max_vel_x is missing, legal: in the map of a local planner")
         self.speed = float(limits["max_vel_x"])
         self.turning_rate = float(limits["max_vel_theta"])
+        #: It turns on the spot, and does not move sideways.
+        self.drives_straight = not (limits.get("min_turning_radius") or limits.get("max_vel_y"))
         self.tolerance_m = float(limits.get("xy_goal_tolerance", 0.1))
         self.tolerance_rad = float(limits.get("yaw_goal_tolerance", 0.1))
         costmap = tree.get("local_costmap", {})

@@ -156,8 +156,8 @@ def make_tour(
     start, _ = places.goal(random, (*home, 0.0), _MIN_DISTANCE_M)
     here, goals, bounds = start, [], []
     for _ in range(count):
-        goal, length_m = places.goal(random, here, _MIN_DISTANCE_M)
-        bounds.append(lower_bound_s(length_m, here, goal, limits.speed, limits.turning_rate))
+        goal, route = places.goal(random, here, _MIN_DISTANCE_M)
+        bounds.append(lower_bound_s(route, here, goal, limits))
         goals.append(goal)
         here = goal
     return Tour(start, tuple(goals), tuple(bounds))
