@@ -35,6 +35,12 @@ def add_navigation_commands(add: Callable[[str, Handler, str], argparse.Argument
     sub.add_argument("--scaling", type=float, metavar="K", help="of inflation's costs; default 10")
     sub.add_argument("--controller", metavar="NAME", help="draw what it weighs at the start, too")
     sub.add_argument("--speed", type=float, metavar="V", help="of the robot there; default 0.5")
+    sub.add_argument(
+        "--obstacle",
+        action="append",
+        metavar="X,Y,R",
+        help="a round one that the map does not have [m]; may be repeated",
+    )
     sub.add_argument("--layers", type=Path, metavar="FILE.png", help="a picture layer by layer")
     sub.add_argument("--out", type=Path, metavar="FILE.png", help="a picture of map and path")
     sub.add_argument("--json", type=Path, metavar="FILE.json", help="the path's poses")

@@ -2,26 +2,33 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // nav_plan MAP.yaml X,Y,YAW X,Y,YAW [--planner NAME] [--params YAML] [--costmap YAML]
-// [--turning-radius M] [--grid FILE.pgm] [--controller NAME [--controller-params YAML] [--speed
-// V]]: plans on a map and prints the outcome as JSON; --grid gets the costmap's bytes, row 0 at the
-// bottom; with --controller the JSON has what that weighs at the start of the path, for a robot
-// that already drives at that speed. Exits with 0 when there is a path, with 1 when
-// there is not, with 2 when the input is wrong.
+// [--turning-radius M] [--grid FILE.pgm] [--obstacles X,Y,RADIUS;...] [--controller NAME
+// [--controller-params YAML] [--speed V]]: plans on a map and prints the outcome as JSON; --grid
+// gets the costmap's bytes, row 0 at the bottom; the sources of obstacle and voxel layers see round
+// obstacles that the map does not have; with --controller the JSON has what that weighs at the
+// start of the path, for a robot that already drives at that speed. Exits with 0 when there is a
+// path, with 1 when there is not, with 2 when the input is wrong.
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/yaml_config.h"
 #include "trident_maps/map_file.h"
 #include "trident_nav/control/controller.h"
 #include "trident_nav/core/footprint.h"
+#include "trident_nav/costmap/beam_layer.h"
 #include "trident_nav/costmap/costmap.h"
 #include "trident_nav/costmap/costmap_config.h"
 #include "trident_nav/costmap/layer_factory.h"
@@ -47,6 +54,7 @@ struct Arguments {
        "costmap_2d::InflationLayer}]}"},
       {"turning-radius", "0"},
       {"grid", ""},
+      {"obstacles", ""},
       {"controller", ""},
       {"controller-params", "{}"},
       {"speed", "0.5"}};
@@ -75,12 +83,50 @@ Arguments parse_arguments(int argc, char** argv) {
     const auto found = result.options.find(word.substr(word.find_first_not_of('-')));
     if (word.rfind("--", 0) != 0 || found == result.options.end()) {
       throw Error(word +
-                  ": legal: --planner, --params, --costmap, --turning-radius, --grid, "
+                  ": legal: --planner, --params, --costmap, --turning-radius, --grid, --obstacles, "
                   "--controller, --controller-params, --speed");
     }
     found->second = argv[i + 1];
   }
   return result;
+}
+
+/// The rims of round obstacles, each with points a centimeter apart.
+std::vector<Eigen::Vector3f> rims(const std::string& text) {
+  constexpr double kApart_m = 0.01, kLargest_m = 100.0;
+  std::vector<Eigen::Vector3f> points;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ';');) {
+    double x = 0.0, y = 0.0, radius = 0.0;
+    int used = 0;
+    const int count = std::sscanf(word.c_str(), "%lf,%lf,%lf%n", &x, &y, &radius, &used);
+    const bool is_whole = count == 3 && static_cast<std::size_t>(used) == word.size();
+    if (!is_whole || !(std::isfinite(x) && std::isfinite(y)) ||
+        !(radius > 0.0 && radius <= kLargest_m)) {
+      throw Error("obstacle: " + word + ", legal: X,Y,RADIUS [m], RADIUS > 0 and <= 100");
+    }
+    const int steps = std::max(8, static_cast<int>(2.0 * trident::kPi * radius / kApart_m));
+    for (int i = 0; i < steps; ++i) {
+      const double angle = 2.0 * trident::kPi * i / steps;
+      points.push_back(
+          Eigen::Vector3d(x + radius * std::cos(angle), y + radius * std::sin(angle), 0.0)
+              .cast<float>());
+    }
+  }
+  return points;
+}
+
+/// Lets all sources of layers see the obstacles.
+void show_obstacles(const Arguments& arguments, Costmap& costmap) {
+  const std::vector<Eigen::Vector3f> points = rims(arguments.options.at("obstacles"));
+  if (points.empty()) return;
+  for (const auto& layer : costmap.layers()) {
+    auto* beams = dynamic_cast<trident::nav::BeamLayer*>(layer.get());
+    if (beams == nullptr) continue;
+    for (auto& source : beams->sources()) {
+      source.add(trident::nav::observe_points(0.0, points, trident::SE3()));
+    }
+  }
 }
 
 Costmap make_costmap(const Arguments& arguments) {
@@ -102,6 +148,7 @@ Costmap make_costmap(const Arguments& arguments) {
     has_map = true;
   }
   if (!has_map) throw Error("--costmap: plugins: legal: a list with a StaticLayer");
+  show_obstacles(arguments, costmap);
   costmap.update({0.0, arguments.start});
   return costmap;
 }

@@ -89,6 +89,25 @@ def test_what_a_controller_weighs_is_drawn(room: Path, tmp_path: Path, controlle
         assert (0, 0, 255) in {color for _, color in image.getcolors(1 << 20) or []}
 
 
+def test_obstacles_that_the_map_does_not_have_are_led_around_and_drawn(
+    room: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    layers, poses = tmp_path / "layers.png", tmp_path / "p.json"
+    words = [str(room), "-2.5,-1,0", "-0.5,-1,0", "--planner", "navfn/NavfnROS"]
+    words += ["--inflation", "0.2", "--json", str(poses)]
+    assert plan.main(words) == 0
+    free = np.array(json.loads(poses.read_text(encoding="utf-8")))
+    words += ["--obstacle", "-1.5,-1,0.3", "--obstacle", "-1.5,0.5,0.1"]
+    assert plan.main([*words, "--layers", str(layers)]) == 0
+    path = np.array(json.loads(poses.read_text(encoding="utf-8")))
+    assert np.abs(free[:, 1] + 1.0).max() < 0.1
+    assert np.hypot(path[:, 0] + 1.5, path[:, 1] + 1.0).min() > 0.4
+    with Image.open(layers) as image:
+        assert image.width > 3 * 4 * 120  # three panels
+    assert plan.main([*words, "--obstacle", "1,2"]) == 2
+    assert "obstacle: 1,2, legal: X,Y,RADIUS [m]" in capsys.readouterr().err
+
+
 def test_no_path_says_why(room: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert plan.main([str(room), "-1.8,-1,0", "0,-1,0"]) == 1
     assert "no path. The footprint is in contact at the goal" in capsys.readouterr().out

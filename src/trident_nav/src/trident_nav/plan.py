@@ -131,24 +131,43 @@ def make_parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--speed", type=float, default=0.5, metavar="V", help="of the robot there; default 0.5"
     )
+    parser.add_argument(
+        "--obstacle",
+        action="append",
+        default=[],
+        metavar="X,Y,R",
+        help="a round one that the map does not have [m]; may be repeated",
+    )
     parser.add_argument("--layers", type=Path, metavar="FILE.png", help="picture of the layers")
     parser.add_argument("--out", type=Path, metavar="FILE.png", help="picture of map and path")
     parser.add_argument("--json", type=Path, metavar="FILE.json", help="the path's poses")
     return parser
 
 
-_LAYERS = (
-    {"name": "static", "type": "costmap_2d::StaticLayer"},
-    {"name": "inflation", "type": "costmap_2d::InflationLayer"},
-)
+def layers_of(options: argparse.Namespace) -> list[dict[str, str]]:
+    """The costmap's layers: the map, what stands in it besides, inflation."""
+    layers = [{"name": "static", "type": "costmap_2d::StaticLayer"}]
+    if options.obstacle:
+        layers.append({"name": "obstacles", "type": "costmap_2d::ObstacleLayer"})
+    return [*layers, {"name": "inflation", "type": "costmap_2d::InflationLayer"}]
 
 
-def costmap_yaml(options: argparse.Namespace, layers: int = len(_LAYERS)) -> str:
-    """The configuration of a costmap with the map and its inflation, or the first layers of it."""
+def costmap_yaml(options: argparse.Namespace, layers: int | None = None) -> str:
+    """The configuration of a costmap, or of the first layers of it."""
     config: dict[str, Any] = {
-        "plugins": list(_LAYERS[:layers]),
+        "plugins": layers_of(options)[:layers],
         "track_unknown_space": True,
         "footprint_padding": 0.0,
+        "obstacles": {
+            "observation_sources": "given",
+            "given": {
+                "data_type": "PointCloud2",
+                "clearing": False,
+                "min_obstacle_height": -1.0,
+                "obstacle_range": 1e4,
+                "raytrace_range": 1e4,
+            },
+        },
         "inflation": {
             "inflation_radius": options.inflation,
             "cost_scaling_factor": options.scaling,
@@ -181,7 +200,7 @@ def _weighed(answer: dict[str, Any]) -> Weighed | None:
     )
 
 
-def find_plan(options: argparse.Namespace, planner: str = "", layers: int = len(_LAYERS)) -> Plan:
+def find_plan(options: argparse.Namespace, planner: str = "", layers: int | None = None) -> Plan:
     """Has ``nav_plan`` plan, with another planner and fewer layers than the options' if given.
 
     Raises:
@@ -194,6 +213,7 @@ def find_plan(options: argparse.Namespace, planner: str = "", layers: int = len(
         words = [options.map, options.start.strip(), options.goal.strip()]
         words += ["--planner", planner or options.planner, "--params", params]
         words += ["--grid", str(grid), "--costmap", costmap_yaml(options, layers)]
+        words += ["--obstacles", ";".join(options.obstacle)]
         words += ["--turning-radius", str(options.turning_radius), *_controller_words(options)]
         done = subprocess.run(
             [str(find_program("nav_plan")), *words], capture_output=True, text=True, check=False
@@ -345,10 +365,10 @@ def draw_all(plans: dict[str, Plan], poses: Sequence[Sequence[float]], scale: in
 
 def draw_layers(options: argparse.Namespace, planner: str) -> Image.Image:
     """The costmap with one layer more in each panel, from left to right."""
-    panels = []
-    for count in range(1, len(_LAYERS) + 1):
+    panels, layers = [], layers_of(options)
+    for count in range(1, len(layers) + 1):
         plan = find_plan(options, planner, count)
-        title = " + ".join(layer["name"] for layer in _LAYERS[:count])
+        title = " + ".join(layer["name"] for layer in layers[:count])
         panels.append(Canvas(plan, _scale_of(plan)).with_legend({title: "black"}))
     gap = 10
     width = sum(one.width for one in panels) + gap * (len(panels) - 1)
