@@ -60,6 +60,7 @@ add_library(trident_nav_control
   src/control/tracking/obstacle_tracker.cpp
   src/control/tracking/reported_obstacle.cpp
   src/control/tracking/scan_clusters.cpp
+  src/control/trajectory_planner/dead_end_escape.cpp
   src/control/trajectory_planner/trajectory_planner_law.cpp
 )
 target_compile_features(trident_nav_control PUBLIC cxx_std_17)

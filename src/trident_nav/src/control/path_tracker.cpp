@@ -123,16 +123,20 @@ double PathTracker::end_of_part(double length_m) const {
   return end_m;
 }
 
-Pose2 PathTracker::pose_at(double arc_m) const {
-  if (path_.size() == 1) return path_.front();
+PathTracker::Place PathTracker::place_at(double arc_m) const {
   const auto after = std::upper_bound(arcs_m_.begin(), arcs_m_.end() - 1, arc_m);
   const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - arcs_m_.begin() - 1, 0));
   const std::size_t from = std::min(i, path_.size() - 2);
+  const double share = (arc_m - arcs_m_[from]) / (arcs_m_[from + 1] - arcs_m_[from]);
+  return {from, std::clamp(share, 0.0, 1.0)};
+}
+
+Pose2 PathTracker::pose_at(double arc_m) const {
+  if (path_.size() == 1) return path_.front();
+  const auto [from, share] = place_at(arc_m);
   const Pose2& a = path_[from];
   const Pose2& b = path_[from + 1];
-  const double t =
-      std::clamp((arc_m - arcs_m_[from]) / (arcs_m_[from + 1] - arcs_m_[from]), 0.0, 1.0);
-  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), direction(a, b)};
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), direction(a, b)};
 }
 
 double PathTracker::heading_at(double arc_m) const {
@@ -142,12 +146,8 @@ double PathTracker::heading_at(double arc_m) const {
 }
 
 double PathTracker::heading_between(double arc_m) const {
-  const auto after = std::upper_bound(arcs_m_.begin(), arcs_m_.end() - 1, arc_m);
-  const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - arcs_m_.begin() - 1, 0));
-  const std::size_t from = std::min(i, path_.size() - 2);
-  const double t =
-      std::clamp((arc_m - arcs_m_[from]) / (arcs_m_[from + 1] - arcs_m_[from]), 0.0, 1.0);
-  return wrap_angle(path_[from].yaw + t * wrap_angle(path_[from + 1].yaw - path_[from].yaw));
+  const auto [from, share] = place_at(arc_m);
+  return wrap_angle(path_[from].yaw + share * wrap_angle(path_[from + 1].yaw - path_[from].yaw));
 }
 
 /// The robot's heading on an arc that the path has, and the arc's curvature.

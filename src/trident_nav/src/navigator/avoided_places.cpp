@@ -61,10 +61,13 @@ void AvoidedPlaces::follow(const CostGrid& grid, const Pose2& start) {
   if (!kept || before != copy_.blocked) ++copy_.revision;
 }
 
-/// What is within the robot's reach at the start stays as it is, so that it can leave.
+/// What is within the robot's reach at the start stays as it is, so that it can leave; and the near
+/// half of a place that it is in.
 void AvoidedPlaces::block(const Disc& disc, const Pose2& start) {
   const GridGeometry& geometry = copy_.geometry;
   const double r = disc.radius_m;
+  const Point2 to_start{start.x - disc.center.x, start.y - disc.center.y};
+  const bool is_inside = std::hypot(to_start.x, to_start.y) < r;
   const Cell low = geometry.cell(disc.center.x - r, disc.center.y - r);
   const Cell high = geometry.cell(disc.center.x + r, disc.center.y + r);
   for (int y = std::max(low.y, 0); y <= std::min(high.y, geometry.height - 1); ++y) {
@@ -72,6 +75,8 @@ void AvoidedPlaces::block(const Disc& disc, const Pose2& start) {
       const Point2 p = geometry.center({x, y});
       if (distance(p.x, p.y, disc.center.x, disc.center.y) > r) continue;
       if (distance(p.x, p.y, start.x, start.y) < 0.5 * r) continue;
+      const double near = (p.x - disc.center.x) * to_start.x + (p.y - disc.center.y) * to_start.y;
+      if (is_inside && near > 0.0) continue;
       const std::size_t i = geometry.index({x, y});
       if (copy_.cost[i] >= kInscribedCost) continue;
       copy_.cost[i] = kInscribedCost;

@@ -83,10 +83,17 @@ void Navigator::set_parts(NavigatorParts parts) {
   next_recovery_ = std::min(next_recovery_, parts_.recoveries.size());
 }
 
+/// From now on the robot has not moved.
+void Navigator::Patience::begin_motion(const Pose2& from, double now_s) {
+  motion_from = from;
+  motion_s = now_s;
+  path_left_m.reset();
+}
+
 void Navigator::forget_progress(double now_s) {
   is_blocked_ = false;
   since_ = Patience{};
-  since_.plan_s = since_.command_s = since_.motion_s = since_.step_s = since_.progress_s = now_s;
+  since_.plan_s = since_.command_s = since_.step_s = since_.progress_s = now_s;
   since_.request_s = -1e9;
 }
 
@@ -101,7 +108,7 @@ void Navigator::set_goal(const Pose2& goal, double now_s) {
   tried_.clear();
   slow_.drive.reset();
   cause_.clear();
-  since_.motion_from = trail_.empty() ? Pose2{} : trail_.back();
+  since_.begin_motion(trail_.empty() ? Pose2{} : trail_.back(), now_s);
   phase_ = Phase::kPlanning;
 }
 
@@ -135,9 +142,7 @@ void Navigator::note_motion(const NavigatorInput& input) {
   trail_.push_back(pose);
   const double away_m = distance(since_.motion_from.x, since_.motion_from.y, pose.x, pose.y);
   if (away_m < parts_.params.oscillation_distance) return;
-  since_.motion_from = pose;
-  since_.motion_s = input.now_s;
-  since_.path_left_m.reset();
+  since_.begin_motion(pose, input.now_s);
   if (phase_ == Phase::kControlling) next_recovery_ = 0;
 }
 
@@ -225,10 +230,16 @@ void Navigator::take_plan(const NavigatorInput& input, NavigatorOutput* output) 
   since_.failed_plans = 0;
   const double left_m =
       std::max(parts_.footprint.circumscribed_radius, 2.0 * input.local.geometry.resolution);
+  const double old_m = keeper_.left_m(input.robot_global);
   const bool is_rerouted = std::exchange(is_rerouted_, false);
   if (std::exchange(is_blocked_, false) || is_rerouted) keeper_.clear();
   output->has_new_path =
       keeper_.offer(std::move(outcome->path), input.now_s, input.robot_global, left_m, world_);
+  // A path around something may be longer than what it replaces.
+  const double new_m = keeper_.left_m(input.robot_global);
+  if (output->has_new_path && new_m > old_m + parts_.footprint.circumscribed_radius) {
+    begin_progress(new_m, input.now_s);
+  }
   if (phase_ != Phase::kPlanning) return;
   phase_ = Phase::kControlling;
 }
@@ -272,17 +283,17 @@ double Navigator::stuck_time_s() const {
 }
 
 /// A robot that gets nowhere although its path leads on looks for another one long before a
-/// recovery begins.
+/// recovery begins. One that shuttles before a place that it cannot pass gets nowhere, either: what
+/// counts is what is left of the path.
 void Navigator::note_progress(const NavigatorInput& input) {
   if (!keeper_.has_path()) return;
   const double radius_m = parts_.footprint.circumscribed_radius;
-  const Pose2 &from = since_.progress_from, &pose = input.state.pose;
   const Pose2& end = keeper_.path().back();
   const bool is_near_end =
       distance(end.x, end.y, input.robot_global.x, input.robot_global.y) < 2.0 * radius_m;
-  if (is_near_end || distance(from.x, from.y, pose.x, pose.y) > radius_m) {
-    since_.progress_from = pose;
-    since_.progress_s = input.now_s;
+  const double left_m = keeper_.left_m(input.robot_global);
+  if (is_near_end || !since_.least_left_m || left_m < *since_.least_left_m - radius_m) {
+    begin_progress(left_m, input.now_s);
     is_rerouted_ = false;
   }
   if (input.now_s - since_.progress_s < stuck_time_s()) return;
@@ -294,17 +305,24 @@ void Navigator::note_progress(const NavigatorInput& input) {
   is_rerouted_ = true;
 }
 
+/// From now on a path of this length has to become shorter.
+void Navigator::begin_progress(double left_m, double now_s) {
+  since_.least_left_m = left_m;
+  since_.progress_s = now_s;
+}
+
 /// Between parked cars a robot moves without getting away: what it makes good of a path that
 /// changes gear counts, too.
 void Navigator::note_path_progress(const NavigatorInput& input) {
   if (!keeper_.has_cusps()) return;
-  const double left_m = keeper_.left_m();
+  const double left_m = keeper_.left_m(input.robot_global);
   const double was_left_m = since_.path_left_m.value_or(left_m);
   since_.path_left_m = was_left_m;
   if (was_left_m - left_m < parts_.params.oscillation_distance) return;
   since_.path_left_m = left_m;
-  since_.motion_from = since_.progress_from = input.state.pose;
-  since_.motion_s = since_.progress_s = input.now_s;
+  since_.motion_from = input.state.pose;
+  since_.motion_s = input.now_s;
+  begin_progress(left_m, input.now_s);
 }
 
 void Navigator::control(const NavigatorInput& input, NavigatorOutput* output) {
@@ -403,9 +421,7 @@ void Navigator::recover(const NavigatorInput& input, NavigatorOutput* output) {
   since_.plan_s = std::max(since_.plan_s, input.now_s + kGrace_s - params.planner_patience);
   since_.command_s =
       std::max(since_.command_s, input.now_s + kGrace_s - params.controller_patience);
-  since_.motion_s = input.now_s;
-  since_.motion_from = input.state.pose;
-  since_.path_left_m.reset();
+  since_.begin_motion(input.state.pose, input.now_s);
   since_.failed_plans = 0;
 }
 

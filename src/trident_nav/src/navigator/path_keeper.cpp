@@ -12,6 +12,16 @@ namespace {
 
 double distance_to(const Pose2& a, const Pose2& b) { return distance(a.x, a.y, b.x, b.y); }
 
+/// From a robot to the nearest place between two poses, less what that is from the first one [m].
+double off_segment(const Pose2& a, const Pose2& b, const Pose2& robot) {
+  const double length_m = distance_to(a, b);
+  if (length_m < kPointApart) return distance_to(a, robot);
+  const double along_m = ((robot.x - a.x) * (b.x - a.x) + (robot.y - a.y) * (b.y - a.y)) / length_m;
+  const double kept_m = std::clamp(along_m, 0.0, length_m);
+  const double t = kept_m / length_m;
+  return distance(robot.x, robot.y, a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)) - kept_m;
+}
+
 }  // namespace
 
 void PathKeeper::clear() {
@@ -28,10 +38,14 @@ Path PathKeeper::remaining() const {
   return {path_.begin() + static_cast<std::ptrdiff_t>(first), path_.end()};
 }
 
-double PathKeeper::left_m() const {
-  double left_m = 0.0;
+double PathKeeper::left_m(const Pose2& robot) const {
+  if (path_.empty()) return 0.0;
+  double left_m = distance_to(path_[nearest_], robot);
   for (std::size_t i = nearest_; i + 1 < path_.size(); ++i) {
-    left_m += distance_to(path_[i], path_[i + 1]);
+    const double step_m = distance_to(path_[i], path_[i + 1]);
+    // The robot lies between two poses.
+    if (i == nearest_) left_m = std::min(left_m, off_segment(path_[i], path_[i + 1], robot));
+    left_m += step_m;
   }
   return left_m;
 }

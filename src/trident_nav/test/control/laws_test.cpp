@@ -3,6 +3,7 @@
 // What single control laws and their parameters do beyond what all of them keep.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "control/dwb/dwb_critics.h"
 #include "control/graceful/smooth_law.h"
 #include "control/scene.h"
+#include "control/trajectory_planner/dead_end_escape.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/random_stream.h"
@@ -64,6 +66,73 @@ TEST(TrajectoryPlanner, ANarrowDeadEndIsLeftBackwardsThoughTheRobotsLimitsKnowNo
       drive(*controller, setup, scene, 60.0, {scene.start, {1.5, 1.5, 0.0}, scene.goal});
   EXPECT_TRUE(result.is_reached) << result.last_reason;
   EXPECT_FALSE(result.has_contact);
+}
+
+TEST(DeadEndEscape, GoesBackTwiceAsFarEachTime) {
+  DeadEndEscape escape({0.1, 0.2, 2.0});
+  RobotState state;
+  for (const double far_m : {0.1, 0.2, 0.4, 0.8, 1.0, 1.0}) {
+    state.pose.x = 0.0;
+    escape.update(state);
+    escape.begin(state);
+    state.pose.x = -far_m + 0.01;
+    escape.update(state);
+    EXPECT_TRUE(escape.is_active()) << far_m;
+    EXPECT_EQ(escape.is_straight(), far_m > 0.1);
+    state.pose.x = -far_m - 0.01;
+    escape.update(state);
+    EXPECT_FALSE(escape.is_active()) << far_m;
+    EXPECT_TRUE(escape.is_near_dead_end());
+  }
+  state.pose.x = -2.1;
+  escape.update(state);
+  EXPECT_FALSE(escape.is_near_dead_end());
+}
+
+TEST(DeadEndEscape, EndsByATurnTheFirstTimeAlone) {
+  DeadEndEscape escape({0.1, 0.2, 2.0});
+  RobotState state;
+  escape.begin(state);
+  state.pose.yaw = 0.3;
+  escape.update(state);
+  EXPECT_FALSE(escape.is_active());
+  escape.begin(state);
+  state.pose.yaw = 0.6;
+  escape.update(state);
+  EXPECT_TRUE(escape.is_active());
+}
+
+TEST(DeadEndEscape, ARobotThatDoesNotMoveForASecondIsStuck) {
+  DeadEndEscape escape({0.1, 0.2, 2.0});
+  RobotState state;
+  for (int i = 0; i < 20; ++i) {
+    state.time_s = 0.1 * i;
+    EXPECT_EQ(escape.update(state), i == 10) << i;
+    state.pose.yaw += 1e-3;
+  }
+}
+
+TEST(TrajectoryPlanner, ATightBendIsDrivenWithoutShuttling) {
+  ControlSetup setup = barn_jackal();
+  GridWorld world(6.0, 4.0);
+  // A passage, 0.17 m wider than the robot, and another one, 0.3 m to the left.
+  world.fill({1.5, 0.0, 2.5, 1.475});
+  world.fill({1.5, 1.975, 2.5, 4.0});
+  world.fill({3.1, 0.0, 4.1, 1.775});
+  world.fill({3.1, 2.275, 4.1, 4.0});
+  world.inflate(0.165, 0.3, 10.0);
+  const Scene scene{"bend", world, {0.8, 1.72, 0.0}, {5.3, 2.02, 0.0}};
+  const Path path{scene.start, {2.5, 1.72, 0.0}, {3.1, 2.02, 0.0}, scene.goal};
+  const auto controller =
+      make_controller("trajectory_planner", setup, parse_yaml(kBarnParams, "barn.yaml"));
+  setup.limits.vx_min = -0.5;  // of the base
+  const Drive result = drive(*controller, setup, scene, 60.0, path);
+  EXPECT_TRUE(result.is_reached) << result.last_reason;
+  EXPECT_FALSE(result.has_contact);
+  const auto backwards = std::count_if(result.commands.begin(), result.commands.end(),
+                                       [](const Twist2& twist) { return twist.vx < 0.0; });
+  EXPECT_LT(backwards, 20);        // a second
+  EXPECT_LT(result.time_s, 18.0);  // at least 9.1 s
 }
 
 TEST(TrajectoryPlanner, EachKindOfScoringDrives) {

@@ -41,10 +41,10 @@ class WallWithGaps : public ::testing::Test {
     }
     grid_ = {{120, 80, 0.05, 0.0, 0.0}, costs_.data(), distances_m_.data(), 2.0F, 1};
   }
-  Path plan() {
+  Path plan(double from_x_m = 1.0) {
     const CancelFlag never{false};
     return avoided_
-        .plan(*planner_, grid_, circle_footprint(0.2), {1.0, 1.0, 0.0}, {5.0, 1.0, 0.0},
+        .plan(*planner_, grid_, circle_footprint(0.2), {from_x_m, 1.0, 0.0}, {5.0, 1.0, 0.0},
               {0.5, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 2.0, 0.0}, never)
         .path;
   }
@@ -69,6 +69,16 @@ TEST_F(WallWithGaps, PlansLeadThroughTheOtherGapAfterTheRobotGotStuckInOne) {
   avoided_.add(grid_, circle_footprint(0.45), {direct.begin() + 30, direct.end()});
   EXPECT_FALSE(avoided_.is_empty());
   EXPECT_GT(highest(plan()), 2.5);
+}
+
+TEST_F(WallWithGaps, ARobotInTheMouthOfAGapLeavesItBackwards) {
+  make({1.0, 3.0});
+  const Path direct = plan();
+  avoided_.add(grid_, circle_footprint(0.45), {direct.begin() + 30, direct.end()});
+  for (const double from_x_m : {2.95, 2.8, 2.65, 2.4}) {
+    EXPECT_GT(highest(plan(from_x_m)), 2.5) << from_x_m;
+    EXPECT_FALSE(avoided_.is_empty()) << from_x_m;
+  }
 }
 
 /// Notes the grids that it is given.

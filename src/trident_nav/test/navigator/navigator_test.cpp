@@ -319,6 +319,8 @@ TEST(PathKeeper, DrivesEachPartOfAShuttleBeforeTheNext) {
     keeper.advance({x, 0.0, 0.001});
     return keeper.remaining().size();
   };
+  EXPECT_NEAR(keeper.left_m({-0.03, 0.04, 0.0}), 0.05 + keeper.left_m({0.0, 0.0, 0.0}), 1e-9);
+  EXPECT_NEAR(keeper.left_m({0.001, 0.0, 0.0}), keeper.left_m({0.0, 0.0, 0.0}) - 0.001, 1e-9);
   EXPECT_EQ(left_at(0.0), 13U);
   EXPECT_EQ(left_at(0.028), 12U);  // from two poses behind it
   EXPECT_EQ(left_at(0.0322), 12U);
@@ -334,6 +336,19 @@ TEST_F(ScriptedNavigator, ARobotThatGetsNowhereLooksForAnotherPath) {
   run(navigator, 3.0);  // turning around takes longer
   EXPECT_EQ(world_.avoided, 0);
   run(navigator, 3.0);
+  EXPECT_EQ(world_.avoided, 1);
+  EXPECT_TRUE(recoveries_.empty());
+}
+
+TEST_F(ScriptedNavigator, ARobotThatShuttlesGetsNowhere) {
+  parts_.params.planner_frequency = 5.0;
+  Navigator navigator = make();
+  navigator.set_goal({3.0, 0.0, 0.0}, 0.0);
+  for (int i = 0; i < 60; ++i) {
+    const double x = 0.5 * std::sin(0.3 * i);  // farther than it is long, to either side
+    input_.state.pose.x = input_.robot_global.x = x;
+    step(navigator);
+  }
   EXPECT_EQ(world_.avoided, 1);
   EXPECT_TRUE(recoveries_.empty());
 }

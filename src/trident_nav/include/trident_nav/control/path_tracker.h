@@ -49,6 +49,12 @@ class PathTracker {
   void project(const Pose2& pose);
   void find_cusps();
   void pass_cusp(double last_m);
+  /// Between a point of the path and the next.
+  struct Place {
+    std::size_t from = 0;
+    double share = 0.0;  ///< 0 at that point, 1 at the next.
+  };
+  Place place_at(double arc_m) const;
   Pose2 pose_at(double arc_m) const;
   double heading_at(double arc_m) const;
   double heading_between(double arc_m) const;

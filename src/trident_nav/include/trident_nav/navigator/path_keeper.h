@@ -32,8 +32,8 @@ class PathKeeper {
   bool has_cusps() const { return !cusps_.empty(); }
   /// The part of the path from just behind the robot on.
   Path remaining() const;
-  /// Its length, from the pose nearest to the robot [m].
-  double left_m() const;
+  /// How far the robot has to drive to its end: back to it, and along it [m].
+  double left_m(const Pose2& robot) const;
 
   /// Moves on along the path to the pose nearest to the robot, beyond a cusp not before that is
   /// reached.

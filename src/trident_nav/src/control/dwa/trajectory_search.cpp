@@ -70,10 +70,10 @@ void TrajectorySearch::roll(const std::vector<Twist2>& samples, std::size_t firs
   survey.survey(&rollouts_);
 }
 
-int TrajectorySearch::last_step(const Twist2& twist, double goal_distance_m) const {
+int TrajectorySearch::last_step(const Twist2& twist, double goal_distance_m, int steps) const {
   const double step_m = std::hypot(twist.vx, twist.vy) * model_.dt_s;
-  const double steps = step_m > 0.0 ? std::ceil(goal_distance_m / step_m) : model_.steps;
-  return std::clamp(static_cast<int>(std::min(steps, 1e6)) - 1, 0, model_.steps - 1);
+  const double to_goal = step_m > 0.0 ? std::ceil(goal_distance_m / step_m) : steps;
+  return std::clamp(static_cast<int>(std::min(to_goal, 1e6)) - 1, 0, steps - 1);
 }
 
 std::optional<double> TrajectorySearch::score(const DwaScene& scene, const Candidate& candidate,
@@ -93,8 +93,11 @@ std::optional<double> TrajectorySearch::score(const DwaScene& scene, const Candi
 
 std::optional<RatedTwist> TrajectorySearch::best(const std::vector<Twist2>& samples,
                                                  const DwaScene& scene,
-                                                 const TrajectoryCritics& critics) {
+                                                 const TrajectoryCritics& critics,
+                                                 double horizon_s) {
   if (samples.empty()) return std::nullopt;
+  const double wanted = std::ceil(horizon_s / model_.dt_s - 1e-6);
+  const int steps = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(model_.steps)));
   const Situation& situation = scene.situation;
   const CostGrid grid = distances_.of(situation.grid);
   for (const auto& critic : critics) critic->prepare(scene);
@@ -106,12 +109,14 @@ std::optional<RatedTwist> TrajectorySearch::best(const std::vector<Twist2>& samp
     const auto count = std::min<std::size_t>(kLanes, samples.size() - first);
     for (std::size_t k = 0; k < count; ++k) {
       const Candidate candidate{samples[first + k], &rollouts_, static_cast<int>(k),
-                                last_step(samples[first + k], scene.goal_distance_m)};
-      const bool is_free = rollouts_.contact_step[k] >= model_.steps;
-      const auto total = is_free ? score(scene, candidate, critics, least) : std::nullopt;
-      if (situation.watched.trajectories) note(situation, candidate, total.value_or(-1.0));
-      if (!total) continue;
-      least = *total;
+                                last_step(samples[first + k], scene.goal_distance_m, steps)};
+      const bool is_free = rollouts_.contact_step[k] >= steps;
+      constexpr double kNone = -1.0;
+      const double total =
+          is_free ? score(scene, candidate, critics, least).value_or(kNone) : kNone;
+      if (situation.watched.trajectories) note(situation, candidate, total);
+      if (total < 0.0) continue;
+      least = total;
       chosen = RatedTwist{candidate.twist, least};
     }
   }

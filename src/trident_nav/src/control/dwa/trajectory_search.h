@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -40,9 +41,11 @@ class TrajectorySearch {
   /// Measures the distances that critics look up, once for all searches of a command. The situation
   /// must live until the last of them.
   DwaScene begin(const Situation& situation);
-  /// The sample of the least score; nothing if each is in contact or forbidden.
+  /// The sample of the least score; nothing if each is in contact or forbidden. `horizon_s`: of the
+  /// trajectories, at most their own.
   std::optional<RatedTwist> best(const std::vector<Twist2>& samples, const DwaScene& scene,
-                                 const TrajectoryCritics& critics);
+                                 const TrajectoryCritics& critics,
+                                 double horizon_s = std::numeric_limits<double>::infinity());
   /// Notes the trajectory of what was chosen, at a speed that may be another sample's, and the
   /// cells of the last begin(), as far as somebody watches.
   void describe(const Twist2& chosen, const DwaScene& scene, const SearchDisplay& display);
@@ -58,8 +61,9 @@ class TrajectorySearch {
  private:
   void roll(const std::vector<Twist2>& samples, std::size_t first, const Situation& situation,
             const ObstacleSurvey& survey);
-  /// The step at which a candidate has driven as far as the goal is; its last one if it does not.
-  int last_step(const Twist2& twist, double goal_distance_m) const;
+  /// The step at which a candidate has driven as far as the goal is; the last of `steps` if
+  /// it does not.
+  int last_step(const Twist2& twist, double goal_distance_m, int steps) const;
   void note(const Situation& situation, const Candidate& candidate, double cost) const;
   void describe_cells(const Situation& situation, const SearchDisplay& display) const;
   std::optional<double> score(const DwaScene& scene, const Candidate& candidate,

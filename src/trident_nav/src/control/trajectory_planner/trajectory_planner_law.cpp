@@ -8,12 +8,18 @@
 #include "../laws.h"
 #include "../limit_params.h"
 #include "../steering.h"
+#include "dead_end_escape.h"
 #include "trajectory_planner_params.h"
 #include "trident_base/angle.h"
 #include "trident_base/yaml_config.h"
 
 namespace trident::nav {
 namespace {
+
+/// Of the speed of an escape.
+constexpr double kSlowest = 0.25;
+/// Farther away, a dead end is behind the robot [circumscribed radii].
+constexpr double kLeavingRadii = 8.0;
 
 /// Trajectory rollout: forward velocities first, turns on the spot where those are no worse, and
 /// where neither is free of contact, sideways and then slowly backwards, until the robot has left
@@ -25,7 +31,9 @@ class TrajectoryPlannerLaw final : public ControlLaw {
       : params_(params),
         setup_(with_limits(setup)),
         search_(setup_, {params.sim_time, params.sim_granularity,
-                         params.angular_sim_granularity.value_or(params.sim_granularity), true}) {
+                         params.angular_sim_granularity.value_or(params.sim_granularity), true}),
+        escape_({params.escape_reset_dist, params.escape_reset_theta,
+                 kLeavingRadii * setup.footprint.circumscribed_radius}) {
     add_critics();
   }
 
@@ -36,8 +44,8 @@ class TrajectoryPlannerLaw final : public ControlLaw {
   Proposal propose(const Situation& situation) override;
   void reset() override {
     for (const auto& critic : critics_) critic->reset();
-    is_escaping_ = false;
-    dead_end_.reset();
+    escape_.reset();
+    last_drive_.reset();
   }
 
  private:
@@ -46,9 +54,9 @@ class TrajectoryPlannerLaw final : public ControlLaw {
   void collect_drives(const Situation& situation);
   void collect_turns(const TwistWindow& window);
   void collect_sideways();
-  void update_escape(const RobotState& state);
-  bool leads_back(const RobotState& state, const Twist2& twist) const;
+  std::optional<Twist2> back_off(const DwaScene& scene);
   std::optional<Twist2> turn(const DwaScene& scene, const std::optional<RatedTwist>& drive);
+  bool leads_back(const Situation& situation) const;
   std::optional<Twist2> choose(const DwaScene& scene);
 
   TrajectoryPlannerParams params_;
@@ -57,8 +65,8 @@ class TrajectoryPlannerLaw final : public ControlLaw {
   TrajectoryCritics critics_;
   TrajectoryCritics turn_critics_;  ///< That choose between turns on the spot.
   std::vector<Twist2> samples_;
-  bool is_escaping_ = false;       ///< Not far enough yet to drive forward.
-  std::optional<Pose2> dead_end_;  ///< Where only backwards was possible, until it is left.
+  DeadEndEscape escape_;
+  std::optional<Twist2> last_drive_;  ///< That was chosen in the last call.
 };
 
 MotionLimits TrajectoryPlannerLaw::limits(const MotionLimits& robot) const {
@@ -123,6 +131,15 @@ void TrajectoryPlannerLaw::collect_drives(const Situation& situation) {
   samples_.clear();
   append_velocities(window, {params_.vx_samples, 1, params_.vtheta_samples, 0.0, 0.0, 0.0},
                     &samples_);
+  // What was free of contact is so still, where few other samples are.
+  if (!last_drive_) return;
+  const auto is_within = [](double lo, double value, double hi) {
+    return lo <= value && value <= hi;
+  };
+  if (is_within(window.lo.vx, last_drive_->vx, window.hi.vx) &&
+      is_within(window.lo.wz, last_drive_->wz, window.hi.wz)) {
+    samples_.push_back(*last_drive_);
+  }
 }
 
 void TrajectoryPlannerLaw::collect_turns(const TwistWindow& window) {
@@ -145,22 +162,17 @@ void TrajectoryPlannerLaw::collect_sideways() {
   }
 }
 
-void TrajectoryPlannerLaw::update_escape(const RobotState& state) {
-  is_escaping_ = false;
-  if (!dead_end_) return;
-  constexpr double kLeftRadii = 8.0;
-  const double left_m = kLeftRadii * setup_.footprint.circumscribed_radius;
-  const double moved_m = distance(state.pose.x, state.pose.y, dead_end_->x, dead_end_->y);
-  const double turned = std::fabs(wrap_angle(state.pose.yaw - dead_end_->yaw));
-  is_escaping_ = moved_m <= params_.escape_reset_dist && turned <= params_.escape_reset_theta;
-  if (moved_m > left_m || turned > 0.5 * kPi) dead_end_.reset();
-}
-
-bool TrajectoryPlannerLaw::leads_back(const RobotState& state, const Twist2& twist) const {
-  if (!dead_end_) return false;
-  const Pose2 end = integrate(state.pose, twist, params_.sim_time);
-  return distance(end.x, end.y, dead_end_->x, dead_end_->y) <
-         distance(state.pose.x, state.pose.y, dead_end_->x, dead_end_->y);
+/// Backwards, the slower the less room there is; nothing where there is no room.
+std::optional<Twist2> TrajectoryPlannerLaw::back_off(const DwaScene& scene) {
+  constexpr double kAhead_s = 0.5;
+  for (const auto& critic : critics_) critic->reset();
+  for (const double share : {1.0, 0.5, kSlowest}) {
+    const Twist2 back{share * params_.escape_vel, 0.0, 0.0};
+    samples_.assign(1, back);
+    if (search_.best(samples_, scene, critics_, kAhead_s)) return back;
+  }
+  escape_.end();
+  return std::nullopt;
 }
 
 std::optional<Twist2> TrajectoryPlannerLaw::turn(const DwaScene& scene,
@@ -179,14 +191,30 @@ std::optional<Twist2> TrajectoryPlannerLaw::turn(const DwaScene& scene,
   return chosen->twist;
 }
 
+/// Whether forward is where only backwards was possible, and the path leads out of there.
+bool TrajectoryPlannerLaw::leads_back(const Situation& situation) const {
+  if (!escape_.is_near_dead_end()) return false;
+  const Pose2& robot = situation.state.pose;
+  const Pose2 ahead = situation.path.at(params_.heading_lookahead);
+  return std::cos(robot.yaw) * (ahead.x - robot.x) + std::sin(robot.yaw) * (ahead.y - robot.y) <
+         0.0;
+}
+
 std::optional<Twist2> TrajectoryPlannerLaw::choose(const DwaScene& scene) {
   std::optional<RatedTwist> drive;
-  if (!is_escaping_) {
+  const bool can_drive = !escape_.is_active() && !leads_back(scene.situation);
+  if (can_drive) {
     collect_drives(scene.situation);
     drive = search_.best(samples_, scene, critics_);
-    if (drive && leads_back(scene.situation.state, drive->twist)) drive.reset();
   }
   if (const auto turning = turn(scene, drive)) return turning;
+  // Between obstacles the samples may all be in contact at their ends: then what is free for a
+  // shorter time will do, in which the robot can still stop.
+  if (can_drive && !drive) collect_drives(scene.situation);
+  const double stop_s = setup_.limits.vx_max / setup_.limits.decel_max + 4.0 * setup_.period_s;
+  for (double s = 0.5 * params_.sim_time; can_drive && !drive && s >= stop_s; s *= 0.5) {
+    drive = search_.best(samples_, scene, critics_, s);
+  }
   if (drive) return drive->twist;
   if (setup_.limits.vy_max > 0.0) {
     collect_sideways();
@@ -201,21 +229,30 @@ Proposal TrajectoryPlannerLaw::propose(const Situation& situation) {
   if (const auto twist = straight_to_goal(situation, setup_, near_m)) {
     return {*twist, Failure::kNone, ""};
   }
-  update_escape(situation.state);
+  const bool can_back_off = params_.escape_vel < 0.0;
+  // What looks free and is not, as the guard sees it, is left backwards, too.
+  const bool is_stuck = escape_.update(situation.state);
+  if (is_stuck && can_back_off) escape_.begin(situation.state, true);
   const DwaScene scene = search_.begin(situation);
-  if (const auto chosen = choose(scene)) {
+  if (escape_.is_straight()) {
+    if (const auto back = back_off(scene)) return {*back, Failure::kNone, ""};
+  }
+  const auto chosen = choose(scene);
+  last_drive_ = chosen;
+  if (chosen) {
     for (const auto& critic : critics_) critic->on_chosen(scene, *chosen);
     search_.describe(*chosen, scene,
                      {false, params_.publish_cost_grid_pc, params_.path_distance_bias,
                       params_.goal_distance_bias, params_.occdist_scale});
     return {*chosen, Failure::kNone, ""};
   }
-  if (params_.escape_vel == 0.0) {
-    return {{}, Failure::kBlocked, "Each velocity that can be reached leads to contact."};
+  if (can_back_off) {
+    escape_.begin(situation.state);
+    const auto back = back_off(scene);
+    // Of a robot in contact only the guard knows whether it leaves that.
+    return {back.value_or(Twist2{kSlowest * params_.escape_vel, 0.0, 0.0}), Failure::kNone, ""};
   }
-  if (!dead_end_) dead_end_ = situation.state.pose;
-  for (const auto& critic : critics_) critic->reset();
-  return {{params_.escape_vel, 0.0, 0.0}, Failure::kNone, ""};
+  return {{}, Failure::kBlocked, "Each velocity that can be reached leads to contact."};
 }
 
 }  // namespace

@@ -34,6 +34,14 @@ TravelPath turned_round(const TravelPath& path) {
   return result;
 }
 
+/// Makes a query begin at a cell: false where the heuristic does not come to it.
+bool begin_at(Cell exit, ObstacleHeuristic& heuristic, const CancelFlag& cancel,
+              PoseSearch::Query* query) {
+  if (!heuristic.reach(exit, cancel)) return false;
+  query->exit_cost = std::max(1e-6, static_cast<double>(heuristic.at(exit.x, exit.y)));
+  return true;
+}
+
 /// A path as it is driven backwards, from its end to its start.
 TravelPath retraced(TravelPath path) {
   for (TravelPath::Point& point : path.points) point.reverses = !point.reverses;
@@ -99,9 +107,7 @@ bool PoseRoute::leave_slot(Request& request, TravelPath& path) {
   outside.exit = {static_cast<int>(start.x), static_cast<int>(start.y)};
   outside.query.exit = start;
   outside.query.exit_reach = 0.0;
-  if (!heuristic_.reach(outside.exit, request.cancel)) return false;
-  outside.query.exit_cost =
-      std::max(1e-6, static_cast<double>(heuristic_.at(outside.exit.x, outside.exit.y)));
+  if (!begin_at(outside.exit, heuristic_, request.cancel, &outside.query)) return false;
   TravelPath rest;
   const PoseSearch::Result result = search_.search(request.grid, outside.query, request.cancel);
   iterations_ += search_.iterations();
@@ -147,9 +153,7 @@ bool PoseRoute::join_approach(Request& request, const TravelPath& approach, Trav
   query.heuristic = &gate_heuristic_;
   query.goal = approach.points.front().pose;
   query.max_iterations = kJoinIterations;
-  if (!gate_heuristic_.reach(request.exit, request.cancel)) return false;
-  query.exit_cost =
-      std::max(1e-6, static_cast<double>(gate_heuristic_.at(request.exit.x, request.exit.y)));
+  if (!begin_at(request.exit, gate_heuristic_, request.cancel, &query)) return false;
   const PoseSearch::Result result = search_.search(request.grid, query, request.cancel);
   iterations_ += search_.iterations();
   if (result != PoseSearch::Result::kFound) return false;

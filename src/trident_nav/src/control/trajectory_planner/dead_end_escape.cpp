@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "dead_end_escape.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trident_base/angle.h"
+
+namespace trident::nav {
+namespace {
+
+double moved_m(const Pose2& from, const Pose2& to) { return distance(from.x, from.y, to.x, to.y); }
+
+double turned(const Pose2& from, const Pose2& to) {
+  return std::fabs(wrap_angle(to.yaw - from.yaw));
+}
+
+}  // namespace
+
+double DeadEndEscape::distance_m() const {
+  const double wanted_m = std::ldexp(limits_.distance_m, count_ - 1);
+  return std::max(limits_.distance_m, std::min(wanted_m, 0.5 * limits_.leaving_m));
+}
+
+bool DeadEndEscape::update(const RobotState& state) {
+  const Pose2& pose = state.pose;
+  if (from_ && (moved_m(*from_, pose) > distance_m() ||
+                (!is_straight() && turned(*from_, pose) > limits_.turn))) {
+    from_.reset();
+  }
+  if (dead_end_ &&
+      (moved_m(*dead_end_, pose) > limits_.leaving_m || turned(*dead_end_, pose) > 0.5 * kPi)) {
+    dead_end_.reset();
+    count_ = 0;
+  }
+  constexpr double kMoved_m = 0.02, kTurned = 0.05, kPatience_s = 1.0;
+  const bool moves = !still_ || moved_m(still_->pose, pose) > kMoved_m ||
+                     turned(still_->pose, pose) > kTurned || state.time_s < still_->time_s;
+  if (moves) still_ = state;
+  if (state.time_s - still_->time_s < kPatience_s) return false;
+  still_ = state;
+  return true;
+}
+
+void DeadEndEscape::begin(const RobotState& state, bool is_straight) {
+  if (!dead_end_) dead_end_ = state.pose;
+  if (!from_) {
+    from_ = state.pose;
+    ++count_;
+  }
+  if (is_straight) count_ = std::max(count_, 2);
+}
+
+}  // namespace trident::nav

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "trident_nav/control/robot_state.h"
+
+namespace trident::nav {
+
+/// When a robot that cannot drive forward has driven backwards far enough. One that comes to the
+/// same dead end again drives back twice as far as before, so that it finds room to turn.
+class DeadEndEscape {
+ public:
+  /// What ends the first escape from a dead end.
+  struct Limits {
+    double distance_m = 0.0;  ///< Driven; later escapes take multiples of it.
+    double turn = 0.0;        ///< [rad]
+    double leaving_m = 0.0;   ///< Farther away, a dead end is behind the robot.
+  };
+  explicit DeadEndEscape(const Limits& limits) : limits_(limits) {}
+
+  void reset() { *this = DeadEndEscape(limits_); }
+  /// Once per command: forgets what is over. Returns true where the robot has not moved for a
+  /// second, whatever was commanded.
+  bool update(const RobotState& state);
+  /// Begins an escape, unless one has begun. `is_straight`: it is one that does not end by a
+  /// turn.
+  void begin(const RobotState& state, bool is_straight = false);
+  /// Ends the escape: there is no room behind.
+  void end() { from_.reset(); }
+
+  bool is_active() const { return from_.has_value(); }
+  /// Nothing but backwards will do.
+  bool is_straight() const { return from_.has_value() && count_ > 1; }
+  bool is_near_dead_end() const { return dead_end_.has_value(); }
+
+ private:
+  double distance_m() const;
+
+  Limits limits_;
+  std::optional<Pose2> from_;        // where the escape began
+  std::optional<Pose2> dead_end_;    // where the first one began, until that is left
+  int count_ = 0;                    // escapes from this dead end
+  std::optional<RobotState> still_;  // when it moved last
+};
+
+}  // namespace trident::nav
