@@ -93,7 +93,7 @@ void Navigator::Patience::begin_motion(const Pose2& from, double now_s) {
 void Navigator::forget_progress(double now_s) {
   is_blocked_ = false;
   since_ = Patience{};
-  since_.plan_s = since_.command_s = since_.step_s = since_.progress_s = now_s;
+  since_.plan_s = since_.command_s = since_.step_s = since_.progress_s = since_.advance_s = now_s;
   since_.request_s = -1e9;
 }
 
@@ -150,8 +150,8 @@ bool Navigator::waits_for_sources(const NavigatorInput& input, NavigatorOutput* 
   const std::vector<StaleSource> stale = world_.stale_sources(input.now_s);
   if (stale.empty()) return false;
   const double waited_s = std::max(input.now_s - since_.step_s, 0.0);
-  for (double* since :
-       {&since_.plan_s, &since_.command_s, &since_.motion_s, &since_.progress_s, &since_.failing_s})
+  for (double* since : {&since_.plan_s, &since_.command_s, &since_.motion_s, &since_.progress_s,
+                        &since_.advance_s, &since_.failing_s})
     *since += waited_s;
   // Odometry may be what is silent: what it said last does not change however long this brakes.
   const Twist2 measured = last_command_.motion(input.state);
@@ -238,7 +238,7 @@ void Navigator::take_plan(const NavigatorInput& input, NavigatorOutput* output) 
   // A path around something may be longer than what it replaces.
   const double new_m = keeper_.left_m(input.robot_global);
   if (output->has_new_path && new_m > old_m + parts_.footprint.circumscribed_radius) {
-    begin_progress(new_m, input.now_s);
+    begin_advance(new_m, input.now_s);
   }
   if (phase_ != Phase::kPlanning) return;
   phase_ = Phase::kControlling;
@@ -283,21 +283,29 @@ double Navigator::stuck_time_s() const {
 }
 
 /// A robot that gets nowhere although its path leads on looks for another one long before a
-/// recovery begins. One that shuttles before a place that it cannot pass gets nowhere, either: what
-/// counts is what is left of the path.
+/// recovery begins. One that shuttles before a place that it cannot pass gets nowhere, either: but
+/// for longer, as nothing but what is left of the path says so.
 void Navigator::note_progress(const NavigatorInput& input) {
   if (!keeper_.has_path()) return;
+  constexpr double kShuttling = 1.5;
   const double radius_m = parts_.footprint.circumscribed_radius;
+  const Pose2 &from = since_.progress_from, &pose = input.state.pose;
   const Pose2& end = keeper_.path().back();
   const bool is_near_end =
       distance(end.x, end.y, input.robot_global.x, input.robot_global.y) < 2.0 * radius_m;
-  const double left_m = keeper_.left_m(input.robot_global);
-  if (is_near_end || !since_.least_left_m || left_m < *since_.least_left_m - radius_m) {
-    begin_progress(left_m, input.now_s);
+  if (is_near_end || distance(from.x, from.y, pose.x, pose.y) > radius_m) {
+    since_.progress_from = pose;
+    since_.progress_s = input.now_s;
     is_rerouted_ = false;
   }
-  if (input.now_s - since_.progress_s < stuck_time_s()) return;
-  since_.progress_s = input.now_s;
+  const double left_m = keeper_.left_m(input.robot_global);
+  if (is_near_end || !since_.least_left_m || left_m < *since_.least_left_m - radius_m) {
+    begin_advance(left_m, input.now_s);
+  }
+  const bool is_stuck = input.now_s - since_.progress_s >= stuck_time_s();
+  const bool shuttles = input.now_s - since_.advance_s >= kShuttling * stuck_time_s();
+  if (!is_stuck && !shuttles) return;
+  since_.progress_s = since_.advance_s = input.now_s;
   world_.avoid(keeper_.remaining());
   world_.request_plan(input.robot_global, goal_);
   since_.request_s = input.now_s;
@@ -306,9 +314,9 @@ void Navigator::note_progress(const NavigatorInput& input) {
 }
 
 /// From now on a path of this length has to become shorter.
-void Navigator::begin_progress(double left_m, double now_s) {
+void Navigator::begin_advance(double left_m, double now_s) {
   since_.least_left_m = left_m;
-  since_.progress_s = now_s;
+  since_.advance_s = now_s;
 }
 
 /// Between parked cars a robot moves without getting away: what it makes good of a path that
@@ -320,9 +328,9 @@ void Navigator::note_path_progress(const NavigatorInput& input) {
   since_.path_left_m = was_left_m;
   if (was_left_m - left_m < parts_.params.oscillation_distance) return;
   since_.path_left_m = left_m;
-  since_.motion_from = input.state.pose;
-  since_.motion_s = input.now_s;
-  begin_progress(left_m, input.now_s);
+  since_.motion_from = since_.progress_from = input.state.pose;
+  since_.motion_s = since_.progress_s = input.now_s;
+  begin_advance(left_m, input.now_s);
 }
 
 void Navigator::control(const NavigatorInput& input, NavigatorOutput* output) {

@@ -344,7 +344,7 @@ TEST_F(ScriptedNavigator, ARobotThatShuttlesGetsNowhere) {
   parts_.params.planner_frequency = 5.0;
   Navigator navigator = make();
   navigator.set_goal({3.0, 0.0, 0.0}, 0.0);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 100; ++i) {
     const double x = 0.5 * std::sin(0.3 * i);  // farther than it is long, to either side
     input_.state.pose.x = input_.robot_global.x = x;
     step(navigator);

@@ -89,7 +89,7 @@ class Navigator {
   void note_motion(const NavigatorInput& input);
   void note_path_progress(const NavigatorInput& input);
   void note_progress(const NavigatorInput& input);
-  void begin_progress(double left_m, double now_s);
+  void begin_advance(double left_m, double now_s);
   double stuck_time_s() const;
   bool waits_for_sources(const NavigatorInput& input, NavigatorOutput* output);
   void plan(const NavigatorInput& input, NavigatorOutput* output);
@@ -117,9 +117,10 @@ class Navigator {
   /// Times and counts since which something is tried.
   struct Patience {
     double plan_s = 0.0, command_s = 0.0, motion_s = 0.0, request_s = 0.0, step_s = 0.0;
-    double progress_s = 0.0, failing_s = 0.0;
+    double progress_s = 0.0, advance_s = 0.0, failing_s = 0.0;
+    Pose2 progress_from;
     Pose2 motion_from;
-    std::optional<double> least_left_m;  ///< Of the path, when there was progress last.
+    std::optional<double> least_left_m;  ///< Of the path, at `advance_s`.
     std::optional<double> path_left_m;   ///< Length of the path left at `motion_from`.
     int failed_plans = 0;
     bool has_request = false;
