@@ -34,12 +34,9 @@ bool DeadEndEscape::update(const RobotState& state) {
     dead_end_.reset();
     count_ = 0;
   }
-  constexpr double kMoved_m = 0.02, kTurned = 0.05, kPatience_s = 1.0;
-  const bool moves = !still_ || moved_m(still_->pose, pose) > kMoved_m ||
-                     turned(still_->pose, pose) > kTurned || state.time_s < still_->time_s;
-  if (moves) still_ = state;
-  if (state.time_s - still_->time_s < kPatience_s) return false;
-  still_ = state;
+  if (standstill_.update(state)) return false;
+  standstill_.reset();
+  standstill_.update(state);
   return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "trident_nav/control/progress_monitor.h"
 #include "trident_nav/control/robot_state.h"
 
 namespace trident::nav {
@@ -39,10 +40,11 @@ class DeadEndEscape {
   double distance_m() const;
 
   Limits limits_;
-  std::optional<Pose2> from_;        // where the escape began
-  std::optional<Pose2> dead_end_;    // where the first one began, until that is left
-  int count_ = 0;                    // escapes from this dead end
-  std::optional<RobotState> still_;  // when it moved last
+  std::optional<Pose2> from_;      // where the escape began
+  std::optional<Pose2> dead_end_;  // where the first one began, until that is left
+  int count_ = 0;                  // escapes from this dead end
+  // Moves of less than 0.02 m and 0.05 rad within a second are noise; used up after a whole second.
+  ProgressMonitor standstill_{{0.02, 0.05, 1.0 - 1e-9}};
 };
 
 }  // namespace trident::nav

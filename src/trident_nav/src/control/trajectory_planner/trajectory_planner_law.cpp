@@ -66,7 +66,7 @@ class TrajectoryPlannerLaw final : public ControlLaw {
   TrajectoryCritics turn_critics_;  ///< That choose between turns on the spot.
   std::vector<Twist2> samples_;
   DeadEndEscape escape_;
-  std::optional<Twist2> last_drive_;  ///< That was chosen in the last call.
+  std::optional<Twist2> last_drive_;  ///< Chosen in the last call; a turn is outside of the window.
 };
 
 MotionLimits TrajectoryPlannerLaw::limits(const MotionLimits& robot) const {
