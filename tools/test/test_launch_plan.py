@@ -52,6 +52,16 @@ def test_what_a_launch_file_spawns_is_known_after_substitution(tmp_path: Path) -
     }
 
 
+def test_the_lowest_place_of_what_is_spawned_is_known_if_all_places_are() -> None:
+    def lowest(*args: str) -> float | None:
+        return LaunchPlan(tuple(_spawner("s", words) for words in args), {}).lowest_spawn_m
+
+    assert lowest("-sdf -model a -z 0.5", "-urdf -model b -z 0.1") == 0.1
+    assert lowest("-sdf -model a -z 0.5", "-urdf -model b") == 0.0
+    assert lowest("-sdf -model a -z high") is None
+    assert lowest() is None
+
+
 def test_who_says_what_is_waited_for_is_obeyed(tmp_path: Path) -> None:
     assert _plan(LAUNCH, tmp_path, fleet="3").waits({}) == {}
     assert _plan(LAUNCH, tmp_path).waits({"TRIDENT_WAIT_FOR": "0"}) == {}

@@ -30,7 +30,9 @@ def check_formations(plan: LaunchPlan, env: Mapping[str, str]) -> None:
         return
     done = subprocess.run(
         ["/usr/bin/python3", "-m", _MODULE],
-        input=json.dumps({"nodes": nodes, "params": dict(plan.params)}),
+        input=json.dumps(
+            {"nodes": nodes, "params": dict(plan.params), "lowest_spawn_m": plan.lowest_spawn_m}
+        ),
         env=dict(env),
         capture_output=True,
         text=True,

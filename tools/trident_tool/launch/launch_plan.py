@@ -103,6 +103,15 @@ class LaunchPlan:
         return [name for node in self.nodes if (name := node.spawns) is not None]
 
     @property
+    def lowest_spawn_m(self) -> float | None:
+        """The least height at which its spawners put a model into the world [m], if they say."""
+        args = [node.args for node in self.nodes if node.spawns is not None]
+        try:
+            return min((float(_value_of("-z", words) or 0.0) for words in args), default=None)
+        except ValueError:
+            return None
+
+    @property
     def motor_topics(self) -> list[str]:
         """Topics of motor speeds that its controllers publish."""
         controllers = (

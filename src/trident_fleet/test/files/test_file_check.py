@@ -73,7 +73,8 @@ def test_vehicles_that_come_too_close_are_said(tmp_path: Path) -> None:
 
 def test_a_row_too_far_away_is_refused(tmp_path: Path) -> None:
     file = written(tmp_path / "far.txt", crossing() * 1e4)
-    with pytest.raises(FormationError, match=r"row \d+, vehicle \d: .* legal: .* <= 10000 m"):
+    what = rf"{file}: row \d+, vehicle \d: .* legal: .* <= 10000 m"
+    with pytest.raises(FormationError, match=what):
         check_formation(FleetSettings(FormationSource(str(file), 4)))
 
 
@@ -107,6 +108,14 @@ def test_the_launch_file_is_read_with_its_arguments(tmp_path: Path, checked: Che
     assert checked([*words, "scale_z:=3", "offset_z:=-1"]) == (0, "", "")
     code, _, error = checked(words[:1])
     assert (code, "uavs: 6, but" in error) == (1, True)
+
+
+def test_a_row_below_where_the_vehicles_are_spawned_is_refused(tmp_path: Path) -> None:
+    file = written(tmp_path / "low.txt", crossing())
+    settings = FleetSettings(FormationSource(str(file), 4))
+    assert check_formation(settings, lowest_m=1.0)
+    with pytest.raises(FormationError, match=rf"{file}: row 1, .*; legal: z >= spawn height 1.05"):
+        check_formation(settings, lowest_m=1.05)
 
 
 @pytest.mark.parametrize(

@@ -3,8 +3,9 @@
 """Reads the formations of a launch file as its nodes will, and starts nothing.
 
 What the launch file would start comes on the standard input, as JSON: `nodes`, each with `name`,
-`package` and `type`, and `params` by their full names. What is worth knowing goes to the standard
-output, a line each; the first error goes to the standard error, with exit code 1.
+`package` and `type`, `params` by their full names, and `lowest_spawn_m`, the least height of a
+spawned model, where it is known. What is worth knowing goes to the standard output, a line each;
+the first error goes to the standard error, with exit code 1.
 """
 
 from __future__ import annotations
@@ -58,8 +59,9 @@ def main() -> int:
         0: its formations can be flown; 1: they cannot, and the reason is reported.
     """
     try:
-        for settings in formations(json.load(sys.stdin)):
-            for line in check_formation(settings):
+        plan = json.load(sys.stdin)
+        for settings in formations(plan):
+            for line in check_formation(settings, plan.get("lowest_spawn_m")):
                 print(line)
     except FormationError as error:
         print(error, file=sys.stderr)

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trident_fleet.core.errors import RowError
 from trident_fleet.core.files.formation_file import flying_rows, read_formation
-from trident_fleet.core.plan import check_reach
+from trident_fleet.core.plan import check_height, check_reach
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.separation import pair_separations, pairs
 from trident_fleet.core.settings import FleetSettings
@@ -54,11 +55,12 @@ def _closest_row(two: Array) -> int:
     return min(segments, key=lambda row: float(pair_separations(two[row : row + 2])[0]))
 
 
-def check_formation(settings: FleetSettings) -> list[str]:
+def check_formation(settings: FleetSettings, lowest_m: float | None = None) -> list[str]:
     """Read a formation as its nodes will.
 
     Args:
         settings: of the flight.
+        lowest_m: height at which the lowest vehicle is spawned [m, world], if it is known.
 
     Returns:
         What a user may want to know before it flies, a sentence each.
@@ -68,7 +70,12 @@ def check_formation(settings: FleetSettings) -> list[str]:
     """
     source = settings.source
     rows = flying_rows(read_formation(source), source.uavs)
-    check_reach(rows)
+    try:
+        check_reach(rows)
+        if lowest_m is not None:
+            check_height(rows, lowest_m)
+    except RowError as error:
+        raise error.of_file(source.file) from None
     return too_close(rows, settings)
 
 

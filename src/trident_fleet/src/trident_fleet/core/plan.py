@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from trident_fleet.core.config import PlanConfig
-from trident_fleet.core.errors import FormationError
+from trident_fleet.core.errors import FormationError, RowError
 from trident_fleet.core.quintic import Array, Motion, QuinticPath, hold
 from trident_fleet.core.timing import fly_through
 from trident_fleet.core.transit import transit_path, transit_points
@@ -85,25 +85,33 @@ def _check_rows(rows: Array, spawn: Array) -> None:
     if not np.isfinite(spawn).all():
         raise FormationError(f"spawn positions: {spawn.tolist()}; legal: finite numbers")
     check_reach(rows)
-    lowest = spawn[:, 2].min()
-    _refuse(rows, rows[..., 2] < lowest, f"z >= spawn height {lowest:g} m")
+    check_height(rows, float(spawn[:, 2].min()))
 
 
 def check_reach(rows: Array) -> None:
     """Refuse rows, shape (T, N, 3) [m, world], that lie too far away.
 
     Raises:
-        FormationError: such a row; names it, the vehicle and the place.
+        RowError: such a row; names it, the vehicle and the place.
     """
     is_near = (np.abs(rows) <= FARTHEST_M).all(axis=-1)
     _refuse(rows, ~is_near, f"|x|, |y|, |z| <= {FARTHEST_M:g} m")
+
+
+def check_height(rows: Array, lowest_m: float) -> None:
+    """Refuse rows, shape (T, N, 3) [m, world], below the place of the lowest vehicle.
+
+    Raises:
+        RowError: such a row; names it, the vehicle and the place.
+    """
+    _refuse(rows, rows[..., 2] < lowest_m, f"z >= spawn height {lowest_m:g} m")
 
 
 def _refuse(rows: Array, bad: npt.NDArray[np.bool_], legal: str) -> None:
     if bad.any():
         row, vehicle = np.argwhere(bad)[0]
         x, y, z = rows[row, vehicle]
-        raise FormationError(
+        raise RowError(
             f"row {row + 1}, vehicle {vehicle + 1}: ({x:g}, {y:g}, {z:g}) m after scale and"
             f" offset; legal: {legal}"
         )

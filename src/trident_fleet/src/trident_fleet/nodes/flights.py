@@ -13,6 +13,7 @@ from typing import Any, Protocol
 import rospy
 
 from trident_fleet.core.encoding import NS_PER_S
+from trident_fleet.core.errors import RowError
 from trident_fleet.core.feeders import (
     Batch,
     GateFeed,
@@ -149,7 +150,10 @@ def formation_flight(rows: Array) -> FlightMaker:
             },
         )
         kind = TimeFlight if settings.mode == "time" else GateFlight
-        return kind(context, rows, spawn, origin)
+        try:
+            return kind(context, rows, spawn, origin)
+        except RowError as error:
+            raise error.of_file(settings.source.file) from None
 
     return make
 
