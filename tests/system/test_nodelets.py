@@ -4,11 +4,14 @@
 
 from __future__ import annotations
 
+import threading
 from contextlib import AbstractContextManager
 from typing import Any
 
 import pytest
+import rospy
 from bond.msg import Status
+from geometry_msgs.msg import PoseStamped
 from harness import (
     Gazebo,
     Pilot,
@@ -111,6 +114,37 @@ def test_nodelets_fly_as_processes_do_to_the_bit(ros: Ros) -> None:
     assert (ros.folder / "nodelets" / "states.csv").read_bytes() == (
         ros.folder / "processes" / "states.csv"
     ).read_bytes()
+
+
+def test_controllers_are_loaded_while_set_points_are_confirmed(ros: Ros) -> None:
+    """Loading, delivering and stepping take locks of roscpp: none waits for the other."""
+    names = [f"UAV{number + 1}" for number in range(8)]
+    gazebo = Nodelets(ros, wait_for=1 + len(names)).ready()  # time zero is held to the end
+    publishers = [
+        rospy.Publisher(f"/{name}/command/pose", PoseStamped, queue_size=1) for name in names
+    ]
+    is_over = threading.Event()
+
+    def send() -> None:
+        while not is_over.wait(0.0005):
+            for publisher in publishers:
+                publisher.publish(PoseStamped(pose=pose(0.0, 0.0, 1.0)))
+
+    sender = threading.Thread(target=send)
+    sender.start()
+    try:
+        for index, name in enumerate(names):
+            gazebo.spawn(name, at=pose(0.0, 2.0 * index, 0.1))
+        for name in names:
+            gazebo.controller(name)
+        for publisher in publishers:
+            eventually(
+                lambda p=publisher: p.get_num_connections() > 0, f"a reader of {publisher.name}"
+            )
+        assert gazebo.ask("get_world_properties").success
+    finally:
+        is_over.set()
+        sender.join()
 
 
 def test_a_controller_that_is_unloaded_is_missed_and_a_process_may_take_its_place(

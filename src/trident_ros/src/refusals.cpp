@@ -18,28 +18,29 @@ Refusals::Refusals(ros::NodeHandle& node)
     : diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10)),
       // Of the last refusal, too, if it came soon after the one before.
       timer_(node.createWallTimer(ros::WallDuration(kPublishEveryS),
-                                  [this](const ros::WallTimerEvent&) {
-                                    const std::lock_guard<std::mutex> lock(mutex_);
-                                    publish_if_due();
-                                  })) {}
+                                  [this](const ros::WallTimerEvent&) { publish_if_due(); })) {}
 
 void Refusals::note(const std::string& kind, const std::string& text) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  Kind& known = counted(kind, text);
-  const ros::WallTime now = ros::WallTime::now();
-  if (known.logged == 0 || (now - known.logged_at).toSec() >= kLogEveryS) {
-    const std::uint64_t more = known.count - known.logged - 1;
-    ROS_ERROR("%s%s", text.c_str(),
-              more == 0 ? "" : (" (and " + std::to_string(more) + " before it)").c_str());
-    known.logged = known.count;
-    known.logged_at = now;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    Kind& known = counted(kind, text);
+    const ros::WallTime now = ros::WallTime::now();
+    if (known.logged == 0 || (now - known.logged_at).toSec() >= kLogEveryS) {
+      const std::uint64_t more = known.count - known.logged - 1;
+      ROS_ERROR("%s%s", text.c_str(),
+                more == 0 ? "" : (" (and " + std::to_string(more) + " before it)").c_str());
+      known.logged = known.count;
+      known.logged_at = now;
+    }
   }
   publish_if_due();
 }
 
 void Refusals::count(const std::string& kind, const std::string& text) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  counted(kind, text);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    counted(kind, text);
+  }
   publish_if_due();
 }
 
@@ -53,14 +54,15 @@ Refusals::Kind& Refusals::counted(const std::string& kind, const std::string& te
 }
 
 void Refusals::publish_if_due() {
-  const ros::WallTime now = ros::WallTime::now();
-  if (!has_news_ || (now - published_at_).toSec() < kPublishEveryS) return;
-  published_at_ = now;
-  has_news_ = false;
-  publish();
+  if (const auto news = due_news()) diagnostics_.publish(*news);
 }
 
-void Refusals::publish() {
+std::optional<diagnostic_msgs::DiagnosticArray> Refusals::due_news() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const ros::WallTime now = ros::WallTime::now();
+  if (!has_news_ || (now - published_at_).toSec() < kPublishEveryS) return std::nullopt;
+  published_at_ = now;
+  has_news_ = false;
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = ros::Time::now();
   for (const auto& [kind, known] : kinds_) {
@@ -74,7 +76,7 @@ void Refusals::publish() {
     status.values.push_back(count);
     array.status.push_back(status);
   }
-  diagnostics_.publish(array);
+  return array;
 }
 
 }  // namespace trident::ros_utils

@@ -62,16 +62,20 @@ void LeePositionControllerNode::spin_once(std::chrono::milliseconds limit) {
 
 void LeePositionControllerNode::on_odometry(const StampedOdometry& odometry) {
   ros_utils::hand_over("odometry received");
+  if (compute(odometry)) {
+    motors_.publish(odometry.stamp);
+  } else {
+    refusals_.note("odometry refused", refusal_text("odometry", odometry.stamp, kInvalidStateText));
+  }
+}
+
+bool LeePositionControllerNode::compute(const StampedOdometry& odometry) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const TrajectoryPoint* setpoint = setpoints_.advance(to_sim_time(odometry.stamp));
   const Span<double> speeds = motors_.rotor_speeds();
-  if (!setpoint) {
-    std::fill(speeds.begin(), speeds.end(), 0.0);
-  } else if (controller_.compute(odometry.state, *setpoint, speeds) != ControlStatus::ok) {
-    refusals_.note("odometry refused", refusal_text("odometry", odometry.stamp, kInvalidStateText));
-    return;
-  }
-  motors_.publish(odometry.stamp);
+  if (setpoint) return controller_.compute(odometry.state, *setpoint, speeds) == ControlStatus::ok;
+  std::fill(speeds.begin(), speeds.end(), 0.0);
+  return true;
 }
 
 void LeePositionControllerNode::on_pose(const geometry_msgs::PoseStamped& message) {

@@ -31,17 +31,21 @@ void RollPitchYawrateThrustControllerNode::spin_once(std::chrono::milliseconds l
 }
 
 void RollPitchYawrateThrustControllerNode::on_odometry(const StampedOdometry& odometry) {
+  if (compute(odometry)) {
+    motors_.publish(odometry.stamp);
+  } else {
+    refusals_.note("odometry refused", refusal_text("odometry", odometry.stamp, kInvalidStateText));
+  }
+}
+
+bool RollPitchYawrateThrustControllerNode::compute(const StampedOdometry& odometry) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (odometry.stamp < last_stamp_) command_.reset();
   last_stamp_ = odometry.stamp;
   const Span<double> speeds = motors_.rotor_speeds();
-  if (!command_) {
-    std::fill(speeds.begin(), speeds.end(), 0.0);
-  } else if (controller_.compute(odometry.state, *command_, speeds) != ControlStatus::ok) {
-    refusals_.note("odometry refused", refusal_text("odometry", odometry.stamp, kInvalidStateText));
-    return;
-  }
-  motors_.publish(odometry.stamp);
+  if (command_) return controller_.compute(odometry.state, *command_, speeds) == ControlStatus::ok;
+  std::fill(speeds.begin(), speeds.end(), 0.0);
+  return true;
 }
 
 void RollPitchYawrateThrustControllerNode::on_command(

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/wall_timer.h>
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 
 namespace trident::ros_utils {
@@ -33,8 +35,9 @@ class Refusals {
     ros::WallTime logged_at;
   };
   Kind& counted(const std::string& kind, const std::string& text);
+  /// Publishes what is due, without the mutex: roscpp may come with locks that publishing takes.
   void publish_if_due();
-  void publish();
+  std::optional<diagnostic_msgs::DiagnosticArray> due_news();
 
   std::mutex mutex_;
   std::map<std::string, Kind> kinds_;

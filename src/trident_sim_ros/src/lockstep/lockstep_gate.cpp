@@ -36,6 +36,7 @@ bool LockstepGate::allows_step(const World& world, FairMutex& world_mutex,
   bool waits_for_source = false;
   {
     const Lock lock(hub_.mutex);
+    hub_.take_heard();
     const bool delayed = options_.timing == LoopTiming::kRotors;
     hub_.required_stamp = delayed ? world.time() - world.dt() : world.time();
     hub_.next_time = world.time() + world.dt();
@@ -67,14 +68,19 @@ bool LockstepGate::wait_until_ready() {
   const Lock lock(hub_.mutex);
   bool is_over = false;
   while (!hub_.ready() && !is_over) {
-    hub_.stepper_waits = true;
+    const bool waits_for_source = hub_.sources.blocking(hub_.next_time) != nullptr;
+    if (waits_for_source != hub_.waits_for_source.exchange(waits_for_source)) {
+      hub_.take_heard();  // what came before has woken nobody
+      continue;
+    }
     {
       const Unlock hub_is_free(hub_.mutex);
       is_over = !hub_.commands.wait(kTimeoutCheckPeriod) || Clock::now() > limit;
     }
-    hub_.stepper_waits = false;
     hub_.commands.read();
+    hub_.take_heard();
   }
+  hub_.waits_for_source = false;
   return hub_.ready();
 }
 
@@ -84,6 +90,7 @@ void LockstepGate::read_commands(milliseconds limit) {
 
 void LockstepGate::poll_while_paused() {
   const Lock lock(hub_.mutex);
+  hub_.take_heard();
   read_commands(milliseconds(0));
 }
 
@@ -102,6 +109,7 @@ void LockstepGate::pin_controllers() {
 
 void LockstepGate::clear(bool with_time) {
   const Lock lock(hub_.mutex);
+  hub_.take_heard();
   for (VehicleLink* vehicle : hub_.vehicles) {
     vehicle->assert_hub_is_locked();
     vehicle->clear();
@@ -116,6 +124,7 @@ SimTime LockstepGate::enroll_source(const std::string& node,
                                     SimTime end, bool waits_beyond_end, SimTime now) {
   vehicles_.watch_setpoints(vehicles);
   const Lock lock(hub_.mutex);
+  hub_.take_heard();
   const bool is_new = hub_.sources.all().count(node) == 0;
   probe_.look(node);  // so that its end will be one
   if (is_new && losses_.repeatability().running()) {
@@ -131,6 +140,7 @@ SimTime LockstepGate::enroll_source(const std::string& node,
 
 void LockstepGate::release_source(const std::string& node) {
   const Lock lock(hub_.mutex);
+  hub_.take_heard();
   hub_.sources.release(node);
 }
 

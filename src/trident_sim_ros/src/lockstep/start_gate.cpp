@@ -85,6 +85,7 @@ bool StartGate::allows_start(const World& world, PortBinder& binder) {
 void StartGate::release(const World& world) {
   LockstepHub& hub = vehicles_.hub();
   const Lock lock(hub.mutex);
+  hub.take_heard();
   for (const auto& [name, vehicle] : vehicles_.links()) {
     vehicle->assert_hub_is_locked();
     // A controller of an unknown kind may not answer each state; it enrols by its first answer.

@@ -52,6 +52,32 @@ bool LockstepHub::ready() const {
   return sources.blocking(next_time) == nullptr;
 }
 
+void LockstepHub::take_heard() {
+  for (const HeardSetpoint& one : heard.take()) {
+    one.vehicle->assert_hub_is_locked();
+    one.vehicle->on_setpoint(one);
+  }
+}
+
+void HeardSetpoints::add(const HeardSetpoint& heard) {
+  const Lock lock(mutex_);
+  waiting_.push_back(heard);
+}
+
+std::vector<HeardSetpoint> HeardSetpoints::take() {
+  std::vector<HeardSetpoint> taken;
+  const Lock lock(mutex_);
+  taken.swap(waiting_);
+  return taken;
+}
+
+void HeardSetpoints::forget(const VehicleLink* vehicle) {
+  const Lock lock(mutex_);
+  waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(),
+                                [&](const HeardSetpoint& one) { return one.vehicle == vehicle; }),
+                 waiting_.end());
+}
+
 VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<ActuatorCommand>& port,
                          std::vector<OutputBinding*> odometry,
                          ros_utils::InlineCallbackQueue& queue)
@@ -76,7 +102,7 @@ VehicleLink::VehicleLink(ros::NodeHandle& node, LockstepHub& hub, InPort<Actuato
 void VehicleLink::watch_setpoints() {
   if (poses_ || confirms_setpoints()) return;
   const auto handler = [this](const auto& bytes) {
-    on_setpoint(header_stamp(bytes.data(), bytes.size()), false, false);
+    hear_setpoint(header_stamp(bytes.data(), bytes.size()), false, false);
   };
   auto poses = ros_utils::raw_subscription<geometry_msgs::PoseStamped>(
       "/" + prefix_ + "command/pose", 100, handler, &queue_);
@@ -92,25 +118,29 @@ void VehicleLink::on_confirmation(const std::uint8_t* bytes, std::size_t size) {
   // Sources guard their trajectories and send them again; a pose from elsewhere they do not see.
   const std::string& topic = header.frame_id;
   const bool replaces = topic.find("command/trajectory") != std::string::npos;
-  on_setpoint(from_ros(header.stamp), true, replaces);
+  hear_setpoint(from_ros(header.stamp), true, replaces);
 }
 
-void VehicleLink::on_setpoint(SimTime stamp, bool is_confirmation, bool replaces) {
+void VehicleLink::hear_setpoint(SimTime stamp, bool is_confirmation, bool replaces) {
   ros_utils::hand_over("confirmation received");
-  const Lock lock(hub_.mutex);
   // A confirmation says that the controller has it; without one, that it was sent must do.
   if (!is_confirmation && confirms_setpoints()) return;
-  if (!is_confirmation && is_confirming_open_) {
-    newest_sent_ = std::max(newest_sent_, stamp);
+  hub_.heard.add({this, stamp, is_confirmation, replaces, hub_.repeatability.running()});
+  if (hub_.waits_for_source) hub_.commands.wake();
+}
+
+void VehicleLink::on_setpoint(const HeardSetpoint& heard) {
+  if (!heard.is_confirmation && is_confirming_open_) {
+    newest_sent_ = std::max(newest_sent_, heard.stamp);
     return;
   }
-  note_outsider(stamp);
-  if (stamp.ns == 0) return;
-  if (hub_.sources.on_setpoint(name_, stamp, replaces) && hub_.repeatability.running()) {
+  note_outsider(heard);
+  if (heard.stamp.ns == 0) return;
+  const bool is_replaced = hub_.sources.on_setpoint(name_, heard.stamp, heard.replaces);
+  if (is_replaced && heard.was_running) {
     hub_.repeatability.spoil("a publisher of commands to " + name_, hub_.next_time,
                              "has replaced set-points of its source");
   }
-  hub_.notify_if_ready();
 }
 
 void VehicleLink::close_confirming() {
@@ -121,9 +151,9 @@ void VehicleLink::close_confirming() {
 
 /// A set-point from outside of the lockstep that comes before it counts is as repeatable as one
 /// from inside; one that counts at once is not.
-void VehicleLink::note_outsider(SimTime stamp) {
-  if (!hub_.repeatability.running() || stamp >= hub_.next_time) return;
-  if (stamp.ns > 0 && hub_.sources.feeds(name_)) return;
+void VehicleLink::note_outsider(const HeardSetpoint& heard) {
+  if (!heard.was_running || heard.stamp >= hub_.next_time) return;
+  if (heard.stamp.ns > 0 && hub_.sources.feeds(name_)) return;
   hub_.repeatability.spoil("a publisher of commands to " + name_, hub_.next_time,
                            "gives set-points outside of the lockstep");
 }
@@ -134,6 +164,7 @@ VehicleLink::~VehicleLink() {
   accepted_.shutdown();
   poses_.shutdown();
   trajectories_.shutdown();
+  hub_.heard.forget(this);
 }
 
 // The stepping thread holds the hub's mutex as it reads.

@@ -5,6 +5,7 @@
 #include <mav_msgs/Actuators.h>
 #include <ros/ros.h>
 
+#include <atomic>
 #include <deque>
 #include <memory>
 #include <set>
@@ -27,8 +28,32 @@ namespace trident::sim {
 
 class VehicleLink;
 
-/// What the stepping thread and roscpp's socket thread share. Neither thread holds `mutex` while it
-/// takes the world's.
+/// A set-point of a vehicle that roscpp's socket thread has heard of.
+struct HeardSetpoint {
+  VehicleLink* vehicle;
+  SimTime stamp;
+  bool is_confirmation;
+  bool replaces;     ///< those of another node
+  bool was_running;  ///< the repeatable part of the run, as it came
+};
+
+/// What roscpp's socket thread has heard, until the stepping thread takes it. The socket thread may
+/// hold locks of roscpp that the stepping thread waits for with the hub's mutex held, as in a
+/// nodelet manager where a nodelet subscribes: it never takes that mutex.
+class HeardSetpoints {
+ public:
+  void add(const HeardSetpoint& heard) TRIDENT_EXCLUDES(mutex_);
+  std::vector<HeardSetpoint> take() TRIDENT_EXCLUDES(mutex_);
+  /// The vehicle goes.
+  void forget(const VehicleLink* vehicle) TRIDENT_EXCLUDES(mutex_);
+
+ private:
+  Mutex mutex_;
+  std::vector<HeardSetpoint> waiting_ TRIDENT_GUARDED_BY(mutex_);
+};
+
+/// What the stepping thread and services share, and what they get from roscpp's socket thread.
+/// Nobody holds `mutex` while it takes the world's.
 struct LockstepHub {
   LockstepHub(ros_utils::DirectInbox::Sockets sockets, Repeatability& its_repeatability,
               NodeProbe& its_probe)
@@ -41,17 +66,16 @@ struct LockstepHub {
   NodeProbe& probe;
   std::vector<VehicleLink*> vehicles TRIDENT_GUARDED_BY(mutex);
   SetpointSources sources TRIDENT_GUARDED_BY(mutex);
-  bool stepper_waits TRIDENT_GUARDED_BY(mutex) = false;
+  HeardSetpoints heard;
+  std::atomic<bool> waits_for_source{false};  ///< the stepping thread; it is woken by set-points
   SimTime required_stamp TRIDENT_GUARDED_BY(mutex){
       -1};                                      ///< of the states whose answers the next step needs
   SimTime next_time TRIDENT_GUARDED_BY(mutex);  ///< to which the next step leads
   std::vector<std::string> events TRIDENT_GUARDED_BY(mutex);  ///< one line per event, for the log
 
   bool ready() const TRIDENT_REQUIRES(mutex);
-  /// Wakes the stepping thread if what it waits for is there.
-  void notify_if_ready() TRIDENT_REQUIRES(mutex) {
-    if (stepper_waits && ready()) commands.wake();
-  }
+  /// Hands what was heard to the sources. Before whatever looks at them, or changes them.
+  void take_heard() TRIDENT_REQUIRES(mutex);
 };
 
 /// One vehicle that takes motor commands: its odometry goes out and its commands come in, in
@@ -88,6 +112,8 @@ class VehicleLink {
   /// was only sent does not count before it is known that nobody will.
   void leave_confirming_open() TRIDENT_REQUIRES(hub_.mutex) { is_confirming_open_ = true; }
   void close_confirming() TRIDENT_REQUIRES(hub_.mutex);
+  /// A set-point that the socket thread has heard of.
+  void on_setpoint(const HeardSetpoint& heard) TRIDENT_REQUIRES(hub_.mutex);
   std::string confirmation_topic() const { return prefix_ + "command/accepted_setpoint"; }
   std::uint32_t odometry_readers() const;
   /// Who gave commands reads the odometry no more.
@@ -117,8 +143,8 @@ class VehicleLink {
   void send_next() TRIDENT_REQUIRES(hub_.mutex);
   void send(State& state) TRIDENT_REQUIRES(hub_.mutex);
   void on_confirmation(const std::uint8_t* bytes, std::size_t size);
-  void on_setpoint(SimTime stamp, bool is_confirmation, bool replaces);
-  void note_outsider(SimTime stamp) TRIDENT_REQUIRES(hub_.mutex);
+  void hear_setpoint(SimTime stamp, bool is_confirmation, bool replaces);
+  void note_outsider(const HeardSetpoint& heard) TRIDENT_REQUIRES(hub_.mutex);
   void note_enrollment(SimTime stamp) TRIDENT_REQUIRES(hub_.mutex);
   void learn_controllers() TRIDENT_REQUIRES(hub_.mutex);
   void send_in_flight(int after, WallTime now) TRIDENT_REQUIRES(hub_.mutex);

@@ -40,6 +40,8 @@ class LeePositionControllerNode : public RunningNode {
 
  private:
   void on_odometry(const StampedOdometry& odometry);
+  /// Sets the rotors' speeds; false: the odometry is refused.
+  bool compute(const StampedOdometry& odometry);
   void on_pose(const geometry_msgs::PoseStamped& message);
   void on_trajectory(const trajectory_msgs::MultiDOFJointTrajectory& message);
   void accept(const std_msgs::Header& header, const std::string& topic);

@@ -34,6 +34,8 @@ class RollPitchYawrateThrustControllerNode : public RunningNode {
 
  private:
   void on_odometry(const StampedOdometry& odometry);
+  /// Sets the rotors' speeds; false: the odometry is refused.
+  bool compute(const StampedOdometry& odometry);
   void on_command(const mav_msgs::RollPitchYawrateThrust& message);
 
   RollPitchYawrateThrustController controller_;
