@@ -7,7 +7,6 @@ from __future__ import annotations
 import json
 import os
 import signal
-import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -17,18 +16,14 @@ import pytest
 
 pytest.importorskip("trident_sim", reason="trident_sim is not built or sourced")
 
+from trident_base.ports import free_port
+
 REPO = Path(__file__).resolve().parents[2]
 LAUNCH = REPO / "launch" / "multi_uav_simulation.launch"
 EXAMPLE = REPO / "src" / "trident_sim_py" / "examples" / "formation_without_ros.py"
 LIMIT_S = 300.0
 STOP_S = 60.0
 RECORD_S = 0.05
-
-
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
 
 
 def launch(folder: Path, *args: str) -> dict[str, Any]:

@@ -177,6 +177,12 @@ def test_a_free_port_can_be_listened_on() -> None:
         server.listen()
 
 
+def test_a_free_port_is_given_to_nobody_who_asks_for_any() -> None:
+    limits = Path("/proc/sys/net/ipv4/ip_local_port_range").read_text(encoding="ascii").split()
+    low, high = map(int, limits)
+    assert not any(low <= free_port() <= high for _ in range(50))
+
+
 def test_the_master_of_a_run_is_found_only_while_it_listens(clone: Workspace) -> None:
     folder = clone.out / "latest"
     folder.mkdir(parents=True)

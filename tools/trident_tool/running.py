@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import random
 import socket
 import subprocess
 import sys
@@ -46,6 +47,7 @@ from trident_tool.workspace import (
 _RTF_ARG = "real_time_factor"
 _STRICT_ARG = "strict"
 _POLL_S = 0.2
+_MASTER_PORTS = 11400  # the first; beyond ROS and Gazebo
 _INTERRUPTED = 130  # what a shell reports for a command that ended by Ctrl-C
 
 
@@ -77,10 +79,16 @@ class Ending:
 
 
 def free_port() -> int:
-    """A TCP port that nobody listens on now."""
-    with socket.socket() as probe:
-        probe.bind(("", 0))
-        return int(probe.getsockname()[1])
+    """A TCP port that nobody listens on, and that the system gives to nobody who asks for any.
+
+    As trident_base.ports, which is there only after a build.
+    """
+    ephemeral = Path("/proc/sys/net/ipv4/ip_local_port_range").read_text(encoding="ascii")
+    first, end = _MASTER_PORTS, int(ephemeral.split()[0])
+    while True:
+        with socket.socket() as probe, contextlib.suppress(OSError):
+            probe.bind(("", random.SystemRandom().randrange(first, max(end, first + 1000))))
+            return int(probe.getsockname()[1])
 
 
 def new_run_folder(out: Path, name: str, now: datetime) -> Path:

@@ -18,6 +18,7 @@ import pytest
 
 pytest.importorskip("trident.testing", reason="the workspace is not built or sourced")
 
+from trident_base.ports import free_port
 from trident.testing.waiting import eventually, output_of
 
 REPO = Path(__file__).resolve().parents[3]
@@ -82,12 +83,6 @@ class RosSession:
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.communicate()
-
-
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
 
 
 def wait_for_port(port: int) -> None:

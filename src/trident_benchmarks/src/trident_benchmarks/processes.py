@@ -8,7 +8,6 @@ import contextlib
 import os
 import shutil
 import signal
-import socket
 import subprocess
 import tempfile
 import time
@@ -18,6 +17,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
+from trident_base.ports import free_port
 from trident_eval.core.errors import EvalError
 
 from trident_benchmarks.procfs import process_tree
@@ -28,13 +28,6 @@ _STOP_LIMIT_S = 30.0
 _SHOWN_LINES = 8
 _SHOWN_LOGS = 4
 _CALLER = "/trident_bench"
-
-
-def free_port() -> int:
-    """A TCP port that nobody listens on now."""
-    with socket.socket() as probe:
-        probe.bind(("", 0))
-        return int(probe.getsockname()[1])
 
 
 def last_lines(path: Path, count: int = _SHOWN_LINES) -> str:

@@ -15,6 +15,7 @@ from typing import Any
 from urllib.parse import urlparse
 
 import rospy
+from trident_base.ports import free_port
 
 from trident.testing.programs import Process
 from trident.testing.waiting import LIMIT_S, eventually, output_of
@@ -47,9 +48,7 @@ class RosProcesses:
         Args:
             folder: for logs and the rest of ROS_HOME.
         """
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            port = probe.getsockname()[1]
+        port = free_port()
         uri = f"http://127.0.0.1:{port}"
         self.env = {**os.environ, "ROS_MASTER_URI": uri, "ROS_IP": "127.0.0.1"}
         self.env["ROS_HOME"] = str(folder / "ros_home")

@@ -7,13 +7,14 @@ from __future__ import annotations
 import json
 import os
 import signal
-import socket
 import subprocess
 import time
 from contextlib import nullcontext
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
+
+from trident_base.ports import free_port
 
 from trident.testing.programs import Process, package
 from trident.testing.schedule.scenarios import Scenario
@@ -89,7 +90,7 @@ def run(
 
 def _command(scenario: Scenario, folder: Path) -> list[str]:
     file = package("trident_bringup") / "launch" / scenario.launch
-    words = ["roslaunch", "--disable-title", "-p", str(_free_port()), str(file)]
+    words = ["roslaunch", "--disable-title", "-p", str(free_port()), str(file)]
     return [*words, *scenario.arguments(folder)]
 
 
@@ -111,12 +112,6 @@ def _environment(seed: int, folder: Path) -> dict[str, str]:
         env["TRIDENT_SCHEDULE_FUZZ"] = str(seed)
         env["PYTHONPATH"] = os.pathsep.join([str(_INJECTED), env.get("PYTHONPATH", "")])
     return env
-
-
-def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("", 0))
-        return int(probe.getsockname()[1])
 
 
 def _wait(process: Process, folder: Path, result: Result) -> None:
