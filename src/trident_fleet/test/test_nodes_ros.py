@@ -18,8 +18,8 @@ import pytest
 
 pytest.importorskip("trident.testing", reason="the workspace is not built or sourced")
 
-from trident_base.ports import free_port
 from trident.testing.waiting import eventually, output_of
+from trident_base.ports import free_port
 
 REPO = Path(__file__).resolve().parents[3]
 FLEET = REPO / "src" / "trident_fleet"

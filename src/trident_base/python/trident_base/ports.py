@@ -23,7 +23,7 @@ def free_port() -> int:
         OSError: there is none.
     """
     end = int(_EPHEMERAL.read_text(encoding="ascii").split()[0])
-    ports = range(_FIRST, end) if end > _FIRST + _TRIES else range(1024, 65536)
+    ports = range(_FIRST, end) if end > _FIRST else range(1024, 65536)
     chosen = random.SystemRandom()
     for _ in range(_TRIES):
         port = chosen.choice(ports)

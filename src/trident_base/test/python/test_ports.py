@@ -6,8 +6,9 @@ import socket
 from pathlib import Path
 
 import pytest
-from trident_base import ports
 from trident_base.ports import free_port
+
+from trident_base import ports
 
 
 def test_a_free_port_can_be_listened_on() -> None:
@@ -27,14 +28,8 @@ def test_one_that_is_taken_is_not_chosen(tmp_path: Path, monkeypatch: pytest.Mon
         server.bind(("", free_port()))
         server.listen()
         taken = server.getsockname()[1]
-        limits.write_text(f"{taken + 2} 65535\n", encoding="ascii")
+        limits.write_text(f"{taken + 1} 65535\n", encoding="ascii")
         monkeypatch.setattr(ports, "_EPHEMERAL", limits)
         monkeypatch.setattr(ports, "_FIRST", taken)
-        monkeypatch.setattr(ports, "_TRIES", 1)
-        found = set()
-        for _ in range(50):
-            try:
-                found.add(free_port())
-            except OSError as error:
-                assert f"no free port found from {taken} to {taken + 1}" in str(error)
-        assert taken not in found
+        with pytest.raises(OSError, match="no free port found"):
+            free_port()
