@@ -20,7 +20,7 @@ def free_port() -> int:
     server it is for, which then would be taken for that server.
 
     Raises:
-        OSError: there is none.
+        OSError: all that were tried are taken.
     """
     end = int(_EPHEMERAL.read_text(encoding="ascii").split()[0])
     ports = range(_FIRST, end) if end > _FIRST else range(1024, 65536)
