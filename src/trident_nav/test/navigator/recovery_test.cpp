@@ -122,6 +122,28 @@ TEST_F(RecoveryTest, GoesBackAlongTheTrail) {
   EXPECT_GT(state_.pose.x, -0.8);
 }
 
+TEST_F(RecoveryTest, GoesBackBetweenWallsWhereItCannotTurn) {
+  for (double x = -1.4; x < 0.4; x += 0.05) {
+    block(x, 0.175);
+    block(x, -0.175);
+  }
+  for (double x = -1.0; x < 0.0; x += 0.05) trail_.push_back({x, 0.0, 0.0});
+  state_.pose = {0.0, 0.01, 0.05};
+  const auto retreat = make("trident_nav/Retreat");
+  EXPECT_EQ(run(*retreat), "The robot went back along its trail.");
+  EXPECT_TRUE(is_free_);
+  EXPECT_LT(state_.pose.x, -0.4);
+  EXPECT_LT(most_ - least_, 0.3);
+}
+
+TEST_F(RecoveryTest, ARetreatEndsWhereSomethingHasComeBehind) {
+  for (double y = -0.5; y <= 0.5; y += 0.05) block(-0.45, y);
+  for (double x = -1.0; x < 0.0; x += 0.05) trail_.push_back({x, 0.0, 0.0});
+  const auto retreat = make("trident_nav/Retreat");
+  EXPECT_EQ(run(*retreat), "Retreat is blocked.");
+  EXPECT_TRUE(is_free_);
+}
+
 TEST_F(RecoveryTest, ClearsWhatItShould) {
   const auto clear = make("clear_costmap_recovery/ClearCostmapRecovery",
                           "{reset_distance: 1.5, affected_maps: local, layer_names: [sonar]}");
