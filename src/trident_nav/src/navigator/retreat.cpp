@@ -27,8 +27,9 @@ struct RetreatParams {
 
 /// A trail that is followed closely, in whatever direction its poses lie.
 ///
-/// Each command is the arc to a place a little further along that is tangent to the robot's heading:
-/// pure pursuit (Coulter, CMU-RI-TR-92-01, 1992), forwards or backwards as that place lies.
+/// Each command is the arc to a place a little further along that is tangent to the robot's
+/// heading: pure pursuit (Coulter, CMU-RI-TR-92-01, 1992), forwards or backwards as that place
+/// lies.
 class TrailDrive {
  public:
   explicit TrailDrive(const RecoverySetup& setup)
