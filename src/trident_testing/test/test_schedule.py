@@ -5,14 +5,17 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 from trident.testing.schedule.__main__ import main
 from trident.testing.schedule.scenarios import SCENARIOS, SMALL
 from trident.testing.schedule.stopping import Stopper, StopPlan
+from trident.testing.waiting import LIMIT_S, eventually
 
 INJECTED = Path(__file__).parents[1] / "src/trident/testing/schedule/injected"
 _DRAW = "import delayed_rospy as d; x = d.Delays('{}'); print([x.of('here') for _ in range(20000)])"
@@ -60,6 +63,27 @@ def test_a_campaign_continues_where_it_was_and_judges_all(
     assert main(["--runs=3", f"--out={out}", "time"]) == 1, "another hash"
     assert main(["--runs=3", f"--out={out}", "tme"]) == 2, "no such scenario"
     assert set(SMALL) <= set(SCENARIOS)
+
+
+def test_a_campaign_that_is_terminated_leaves_nothing_behind(tmp_path: Path) -> None:
+    def started() -> list[str]:
+        """Command lines of what the run has started: they name its folder."""
+        found = []
+        for entry in Path("/proc").glob("[0-9]*/cmdline"):
+            with suppress(OSError):
+                found.append(entry.read_bytes().decode(errors="replace"))
+        return [line for line in found if f"{tmp_path}/trident_schedule" in line]
+
+    command = [sys.executable, "-m", "trident.testing.schedule", "--small", "--runs=1", "time"]
+    campaign = subprocess.Popen(
+        [*command, f"--out={tmp_path / 'done.jsonl'}"], env={**os.environ, "TMPDIR": str(tmp_path)}
+    )
+    try:
+        eventually(lambda: any("gzserver" in line for line in started()), "a simulator")
+    finally:
+        campaign.terminate()
+        campaign.wait(timeout=LIMIT_S)
+    eventually(lambda: not started(), "the end of all that it has started")
 
 
 def test_ten_disturbed_runs_have_the_hashes_of_the_undisturbed(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 import argparse
 import json
 import shutil
+import signal
 import sys
 import tempfile
 from collections import Counter
@@ -118,4 +119,6 @@ def _summary(done: list[dict[str, Any]]) -> int:
 
 
 if __name__ == "__main__":
+    # As Ctrl-C does, so that the present run is ended with all that it has started.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     sys.exit(main())
