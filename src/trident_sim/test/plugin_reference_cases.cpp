@@ -117,6 +117,8 @@ void add_vessels(std::vector<ReferenceCase>& cases) {
 void add_world_plugins(std::vector<ReferenceCase>& cases) {
   const ParamNode wind_object = element(
       "wind_obj", {{"name", "boat"}, {"link_name", "base_link"}, {"coeff_vector", "0.5 0.5 0.33"}});
+  cases.push_back(of_model("libtrident_radio.so", {{"linkName", "base_link"}}));
+  cases.push_back(of_world("libtrident_radio_medium.so", {}));
   for (const char* name : {"libtrident_sea.so", "libtrident_environment.so"}) {
     cases.push_back(of_world(name, {}));
     cases.push_back(

@@ -175,6 +175,15 @@ catkin_add_gtest(trident_sim_marine_test
 target_link_libraries(trident_sim_marine_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_marine_test PRIVATE src)  # parts of the core
 
+# Radios.
+catkin_add_gtest(trident_sim_comms_test
+  test/comms/radio_channel_test.cpp
+  test/comms/radio_physics_test.cpp
+  test/comms/radio_plugins_test.cpp
+)
+target_link_libraries(trident_sim_comms_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
+target_include_directories(trident_sim_comms_test PRIVATE src)  # parts of the core
+
 # Vessels under their controllers (trident_control_sim is defined later on).
 catkin_add_gtest(trident_sim_vessel_control_test
   test/marine/standalone_vessel.cpp
@@ -200,6 +209,6 @@ target_link_libraries(plugin_reference PRIVATE trident_sim_test_support trident_
 # One set of precompiled headers for all of them.
 foreach(test trident_sim_physics_test trident_sim_ground_test trident_sim_flight_test trident_sim_allocation_test
              trident_sim_mutated_input_test trident_sim_cameras_test trident_sim_rays_test
-             trident_sim_marine_test trident_sim_vessel_control_test)
+             trident_sim_comms_test trident_sim_marine_test trident_sim_vessel_control_test)
   target_precompile_headers(${test} REUSE_FROM trident_sim_test)
 endforeach()

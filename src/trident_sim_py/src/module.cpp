@@ -19,6 +19,7 @@ PYBIND11_MODULE(_core, module) {
   trident::sim::bind_model(module);
   trident::sim::bind_session(module);
   trident::sim::bind_physics(module);
+  trident::sim::bind_radio(module);
   trident::sim::bind_rays(module);
   trident::sim::bind_environment(module);
   trident::sim::bind_sea(module);

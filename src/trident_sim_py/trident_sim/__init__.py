@@ -75,6 +75,7 @@ from trident_sim.description import (
     multirotor,
     with_lee_controller,
 )
+from trident_sim.radio import Radio, RadioLink, RadioMessage
 from trident_sim.world import RayHits, ShapeName, SimulationWarning, World
 
 complete_environment()
@@ -115,6 +116,9 @@ __all__ = [
     "Port",
     "PoseSample",
     "PoseWithCovarianceSample",
+    "Radio",
+    "RadioLink",
+    "RadioMessage",
     "RangeSample",
     "RayHits",
     "ScalarSample",

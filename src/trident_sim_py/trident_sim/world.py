@@ -31,6 +31,7 @@ from trident_sim._core import (
     save_snapshot,
     sea_elevation,
 )
+from trident_sim.radio import Radio
 
 _NS_PER_S = 1_000_000_000
 
@@ -364,6 +365,15 @@ class World:
             Error: a wrong shape, or a value that is not finite.
         """
         return sea_elevation(self._session, np.asarray(places), np.asarray(times))
+
+    @property
+    def radio(self) -> Radio:
+        """The radios of its robots.
+
+        Raises:
+            Error: the world has no libtrident_radio_medium.so.
+        """
+        return Radio(self._session)
 
     @property
     def time(self) -> float:

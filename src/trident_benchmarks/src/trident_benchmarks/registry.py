@@ -56,5 +56,6 @@ BENCHMARKS = (
     Benchmark("nav", "nav.benchmark", "drive robots to goals in worlds that are hard to cross"),
     Benchmark("slam", "slam.benchmark", "measure SLAM on the public logs, or in a simulated world"),
     Benchmark("posegraph", "posegraph.benchmark", "compare pose-graph optimisation with GTSAM"),
+    Benchmark("links", "links.benchmark", "compare radios with ns-3, and measure what they cost"),
     Benchmark("table", "sim.saved_table", "the Markdown table of a saved benchmark"),
 )

@@ -24,6 +24,9 @@ class Sea {
   /// Of the still water above the ground there, by the tide at that time; negative on land,
   /// infinite where no ground is known [m].
   virtual double depth_m(const Eigen::Vector2d& p_world, double time_s) const = 0;
+  /// z of the surface without its waves, by the tide at that time [m].
+  virtual double still_level_m(double /*time_s*/) const { return 0.0; }
+  virtual double significant_height_m() const { return 0.0; }  ///< of its waves, Hs [m]
   /// What the sea is like now, for World::state_hash().
   virtual std::string state_text() const { return ""; }  ///< as Sea::state_text()
 };

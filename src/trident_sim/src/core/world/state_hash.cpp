@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_base/sha256.h"
+#include "trident_sim/radio.h"
 #include "trident_sim/sea.h"
 #include "trident_sim/world.h"
 
@@ -37,6 +38,7 @@ std::string World::state_hash() const {
   }
   if (const auto sea = find_sea(*this)) hash.update_string(sea->state_text());
   if (const auto air = find_air(*this)) hash.update_string(air->state_text());
+  if (const auto radio = find_radio(*this)) hash.update_string(radio->state_text());
   return hash.hex_digest();
 }
 

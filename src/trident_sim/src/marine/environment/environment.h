@@ -34,6 +34,15 @@ class Environment : public Sea {
     if (seabed_ == nullptr) return std::numeric_limits<double>::infinity();
     return seabed_->depth_m(p_world) + waves_.level_m(time_s);
   }
+  double still_level_m(double time_s) const override { return waves_.level_m(time_s); }
+  /// Four standard deviations of the surface.
+  double significant_height_m() const override {
+    double variance = 0.0;
+    for (const WaveComponent& wave : waves_.components()) {
+      variance += 0.5 * wave.amplitude_m * wave.amplitude_m;
+    }
+    return 4.0 * std::sqrt(variance);
+  }
   const WaveField& waves() const { return waves_; }
 
  private:

@@ -24,6 +24,8 @@ class LiveSurroundings : public Sea, public Air {
   double depth_m(const Eigen::Vector2d& p_world, double time_s) const override {
     return environment->depth_m(p_world, time_s);
   }
+  double still_level_m(double time_s) const override { return environment->still_level_m(time_s); }
+  double significant_height_m() const override { return environment->significant_height_m(); }
   Eigen::Vector3d wind(const Eigen::Vector3d& p_world) const override {
     return blowing.velocity(p_world);
   }

@@ -1,0 +1,22 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""`./trident bench links`: radios next to ns-3, and what they cost."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Its options."""
+    parser.add_argument("--quick", action="store_true", help="shorter runs, 8 distances of 40")
+    parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
+    parser.add_argument("--picture", type=Path, metavar="FILE.png", help="goodput over distance")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Measure and print; the exit code."""
+    from trident_benchmarks.links.measure import measure
+
+    return measure(options)

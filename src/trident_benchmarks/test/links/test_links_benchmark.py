@@ -1,0 +1,40 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from trident_benchmarks.__main__ import main
+from trident_benchmarks.links import measure
+from trident_benchmarks.links.picture import draw_goodput
+from trident_benchmarks.results import UNUSABLE
+
+
+def test_goodput_of_one_station_is_that_of_ns3() -> None:
+    row = measure.goodput_row(measure.NS3_RUNS[0], 0.3)
+    assert row["passed"]
+    assert row["mbit_s"] == pytest.approx(30.82, rel=measure.GOODPUT_LIMIT)
+    assert "ns-3 30.82" in measure.line(row)
+
+
+def test_a_load_reaches_its_receiver() -> None:
+    row = measure.load_row(measure.LOADS[0], 0.5)
+    assert row["sent"] == 350
+    assert row["received"] > 300
+    assert "heard by one" in measure.line(row)
+
+
+def test_the_adaptive_rate_and_its_picture(tmp_path: Path) -> None:
+    row = measure.adaptive_row(300.0, is_quick=True)
+    assert len(row["fixed_mbit_s"]) == 9
+    assert 0.5 < row["share"] < 1.2
+    draw_goodput(tmp_path / "goodput.png", [row, row | {"distance_m": 400.0}])
+    assert (tmp_path / "goodput.png").stat().st_size > 10_000
+
+
+def test_a_missing_folder_is_refused_before_anything_is_measured(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["links", "--out", str(tmp_path / "no" / "rows.json")]) == UNUSABLE
+    assert "its folder does not exist" in capsys.readouterr().err

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "trident_base/sim_time.h"
+#include "trident_sim/world.h"
+
+namespace trident::sim {
+
+/// How a message is to be sent.
+struct RadioQos {
+  int priority = 1;         ///< 0 (first) to 3
+  double deadline_s = 0.0;  ///< dropped when it has not been sent after this time; 0: never [s]
+};
+
+/// What a radio has received.
+struct RadioMessage {
+  std::string source;      ///< name of the radio that sent it
+  std::string data;        ///< any bytes
+  SimTime sent, received;  ///< when it was given to the one radio, and came from the other
+  double snr_db = 0.0;     ///< signal over noise of the frame that brought it
+};
+
+/// From one radio to another, as it is now and since the radios were reset.
+struct RadioLink {
+  std::string source, destination;  ///< names
+  double distance_m = 0.0;          ///< from antenna to antenna
+  double loss_db =
+      0.0;              ///< between the antennas' connectors; infinite: they do not hear each other
+  double snr_db = 0.0;  ///< signal over noise at the destination; minus infinity as above
+  int mcs = 0;          ///< that frames have now
+  std::uint64_t sent = 0, delivered = 0;             ///< messages
+  std::uint64_t lost = 0, expired = 0, refused = 0;  ///< after all tries, too late, queue full
+  double mean_delay_s = 0.0;                         ///< of what was delivered
+};
+
+/// All radios of a world (IEEE 802.11ac), and the air between them. It follows the world's
+/// steps, and is called between them. Radios have the names of their robots.
+class Radio {
+ public:
+  /// As a destination: all radios of the channel, once and without acknowledgement.
+  static constexpr const char* kAll = "all";
+  /// Bytes of a message, at most.
+  static constexpr std::size_t kMaxBytes = 11000;
+
+  virtual ~Radio() = default;
+  /// In alphabetical order.
+  virtual std::vector<std::string> names() = 0;
+  /// Gives a message to the source's radio now. False: its queue is full. Throws Error for names
+  /// that no radio has, source and destination that are one, and values out of range.
+  virtual bool send(const std::string& source, const std::string& destination,
+                    const std::string& data, const RadioQos& qos) = 0;
+  /// What has come by now and was not asked for before, oldest first. Throws Error as send().
+  virtual std::vector<RadioMessage> receive(const std::string& name) = 0;
+  /// Every radio to every other one.
+  virtual std::vector<RadioLink> links() = 0;
+  /// A radio that is out neither sends nor hears. Throws Error as send().
+  virtual void set_outage(const std::string& name, bool is_out) = 0;
+  /// What has happened so far, for World::state_hash().
+  virtual std::string state_text() const = 0;
+};
+
+/// How the plugin that makes a world's air for radios hands it on: on the output port kRadioPort,
+/// which is no topic. A world has one.
+struct RadioSample {
+  std::shared_ptr<Radio> radio;  ///< lives as long as its plugin, or its last holder
+};
+constexpr const char* kRadioPort = "world/radio";  ///< name of the port that carries a RadioSample
+
+/// nullptr: the world has none.
+std::shared_ptr<Radio> find_radio(const World& world);
+
+}  // namespace trident::sim

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "comms/mac/radio_station.h"
+
+#include <algorithm>
+
+namespace trident::sim {
+namespace {
+
+// After a frame that could not be read: the gap, an acknowledgement at 6 Mbit/s, and the usual wait
+// (EIFS, IEEE 802.11-2016, 10.3.2.3.7).
+const std::int64_t kEifs_ns =
+    vht::kSifs_ns + vht::legacy_duration_ns(6, vht::kAckBytes) + vht::kAifs_ns;
+
+}  // namespace
+
+bool RadioStation::has_work() const {
+  if (attempt) return true;
+  return std::any_of(queues.begin(), queues.end(), [](const auto& q) { return !q.empty(); });
+}
+
+std::int64_t RadioStation::contention_begin_ns() const {
+  return idle_from_ns + (has_damaged ? kEifs_ns : vht::kAifs_ns);
+}
+
+void RadioStation::draw_backoff() {
+  slots = static_cast<std::int64_t>(random.uniform(draws++, 0) * (window + 1));
+}
+
+void RadioStation::hold_backoff(std::int64_t now_ns) {
+  const std::int64_t counted = (now_ns - contention_begin_ns()) / vht::kSlot_ns;
+  slots -= std::clamp<std::int64_t>(counted, 0, slots);
+}
+
+}  // namespace trident::sim

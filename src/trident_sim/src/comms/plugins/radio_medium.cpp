@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "comms/plugins/radio_medium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "comms/phy/packet_error.h"
+#include "trident_base/error.h"
+#include "trident_base/string_util.h"
+
+namespace trident::sim {
+namespace {
+
+// Messages that wait in an inbox for somebody to ask, at most.
+constexpr std::size_t kMaxWaiting = 10000;
+
+}  // namespace
+
+std::shared_ptr<Radio> find_radio(const World& world) {
+  const auto* port = world.ports().find_out<RadioSample>(kRadioPort);
+  return port == nullptr ? nullptr : port->value.radio;
+}
+
+RadioMedium::RadioMedium(World& world, const PathLossParams& params)
+    : world_(world), links_(world, params), channel_(world.seed()) {}
+
+void RadioMedium::look() {
+  if (world_.ports().version() == ports_version_) return;
+  ports_version_ = world_.ports().version();
+  std::map<std::string, std::shared_ptr<const RadioEnd>> present;
+  world_.ports().for_each([&present](const PortBase& port) {
+    const auto* end = dynamic_cast<const OutPort<RadioEndSample>*>(&port);
+    if (end != nullptr) present[end->value.end->name] = end->value.end;
+  });
+  for (auto known = numbers_.begin(); known != numbers_.end();) {
+    const auto found = present.find(known->first);
+    const bool is_same =
+        found != present.end() && found->second.get() == &links_.end(known->second);
+    if (is_same) {
+      present.erase(found);
+      ++known;
+      continue;
+    }
+    channel_.remove(known->second);
+    inboxes_.erase(known->first);
+    out_.erase(known->first);
+    known = numbers_.erase(known);
+  }
+  for (const auto& [name, end] : present) add(end);
+}
+
+void RadioMedium::add(const std::shared_ptr<const RadioEnd>& end) {
+  const int number = channel_.add(end->name, end->params);
+  links_.set_end(number, end);
+  numbers_[end->name] = number;
+}
+
+int RadioMedium::number(const std::string& name) {
+  look();
+  const auto known = numbers_.find(name);
+  if (known != numbers_.end()) return known->second;
+  throw Error("radio " + unknown_name_text(name, names()));
+}
+
+std::vector<std::string> RadioMedium::names() {
+  look();
+  std::vector<std::string> result;
+  for (const auto& [name, number] : numbers_) result.push_back(name);
+  return result;
+}
+
+void RadioMedium::follow_outages(double time_s) {
+  for (const auto& [name, number] : numbers_) {
+    const auto& planned = links_.end(number).outages;
+    const bool is_planned =
+        std::any_of(planned.begin(), planned.end(), [time_s](const RadioOutage& outage) {
+          return time_s >= outage.begin_s && time_s < outage.end_s;
+        });
+    channel_.set_out(number, is_planned || out_.count(name) > 0);
+  }
+}
+
+void RadioMedium::step(const StepInfo& info) {
+  look();
+  if (channel_.is_idle()) return;
+  links_.follow();
+  follow_outages(info.begin.seconds());
+  channel_.advance(info.end.ns, links_);
+  take_deliveries();
+}
+
+void RadioMedium::take_deliveries() {
+  for (RadioDelivery& delivery : channel_.take_deliveries()) {
+    auto& inbox = inboxes_[channel_.station(delivery.receiver).name];
+    if (inbox.size() == kMaxWaiting) {
+      inbox.pop_front();
+      ++dropped_;
+    }
+    inbox.push_back({channel_.station(delivery.packet.source).name, *delivery.packet.data,
+                     SimTime{delivery.packet.created_ns}, SimTime{delivery.time_ns},
+                     delivery.snr_db});
+  }
+}
+
+bool RadioMedium::send(const std::string& source, const std::string& destination,
+                       const std::string& data, const RadioQos& qos) {
+  RadioPacket packet;
+  packet.source = number(source);
+  packet.destination = destination == kAll ? kEverybody : number(destination);
+  if (packet.source == packet.destination) {
+    throw Error("radio '" + source + "': sends to itself, legal: another radio, or " + kAll);
+  }
+  if (data.size() > kMaxBytes) {
+    throw Error("radio '" + source + "': a message has " + std::to_string(data.size()) +
+                " bytes, legal: at most " + std::to_string(kMaxBytes));
+  }
+  if (qos.priority < 0 || qos.priority >= kRadioPriorities) {
+    throw Error("radio '" + source + "': priority is " + std::to_string(qos.priority) +
+                ", legal: 0 to " + std::to_string(kRadioPriorities - 1));
+  }
+  constexpr double kLongest_s = 1e6;
+  if (!(qos.deadline_s >= 0.0 && qos.deadline_s <= kLongest_s)) {
+    throw Error("radio '" + source + "': deadline is " + number_text(qos.deadline_s) +
+                " s, legal: 0 (none) to " + number_text(kLongest_s));
+  }
+  packet.priority = qos.priority;
+  packet.created_ns = world_.time().ns;
+  if (qos.deadline_s > 0.0) {
+    packet.deadline_ns = packet.created_ns + SimTime::from_seconds(qos.deadline_s).ns;
+  }
+  packet.data = std::make_shared<const std::string>(data);
+  return channel_.send(packet);
+}
+
+std::vector<RadioMessage> RadioMedium::receive(const std::string& name) {
+  number(name);
+  std::vector<RadioMessage> result;
+  auto& inbox = inboxes_[name];
+  const SimTime now = world_.time();
+  const auto later = std::stable_partition(
+      inbox.begin(), inbox.end(), [now](const RadioMessage& m) { return m.received <= now; });
+  std::move(inbox.begin(), later, std::back_inserter(result));
+  inbox.erase(inbox.begin(), later);
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.received < b.received; });
+  return result;
+}
+
+RadioLink RadioMedium::link(int source, int destination) {
+  const RadioEnd &from = links_.end(source), &to = links_.end(destination);
+  const LinkCounts counts = channel_.counts(source, destination);
+  RadioLink result;
+  result.source = from.name;
+  result.destination = to.name;
+  result.distance_m = links_.distance_m(source, destination);
+  const bool is_possible = from.params.channel == to.params.channel &&
+                           !channel_.station(source).is_out &&
+                           !channel_.station(destination).is_out;
+  result.loss_db = is_possible ? links_.present_loss_db(source, destination) : INFINITY;
+  result.snr_db = from.params.tx_power_dbm - result.loss_db -
+                  noise_power_dbm(to.params.width_mhz, to.params.noise_figure_db);
+  result.mcs = channel_.mcs(source, destination);
+  result.sent = counts.sent;
+  result.delivered = counts.delivered;
+  result.lost = counts.lost;
+  result.expired = counts.expired;
+  result.refused = counts.refused;
+  if (counts.delivered > 0) {
+    result.mean_delay_s =
+        1e-9 * static_cast<double>(counts.delay_ns) / static_cast<double>(counts.delivered);
+  }
+  return result;
+}
+
+std::vector<RadioLink> RadioMedium::links() {
+  look();
+  links_.follow();
+  follow_outages(world_.time().seconds());
+  std::vector<RadioLink> result;
+  for (const auto& [name, source] : numbers_) {
+    for (const auto& [other, destination] : numbers_) {
+      if (source != destination) result.push_back(link(source, destination));
+    }
+  }
+  return result;
+}
+
+void RadioMedium::set_outage(const std::string& name, bool is_out) {
+  number(name);
+  if (is_out) {
+    out_.insert(name);
+  } else {
+    out_.erase(name);
+  }
+}
+
+void RadioMedium::reset() {
+  channel_ = RadioChannel(world_.seed());
+  links_.clear();
+  numbers_.clear();
+  inboxes_.clear();
+  out_.clear();
+  dropped_ = 0;
+  ports_version_ = ~std::uint64_t{0};
+}
+
+void RadioMedium::state(StateArchive& archive) {
+  archive(channel_, numbers_, inboxes_, out_, dropped_);
+  links_.state(archive);
+}
+
+std::string RadioMedium::state_text() const { return std::to_string(channel_.digest()); }
+
+}  // namespace trident::sim

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "comms/links/radio_links.h"
+#include "comms/mac/radio_channel.h"
+#include "trident_sim/radio.h"
+
+namespace trident::sim {
+
+/// The radios of a world, found by their ports, and what happens between them.
+class RadioMedium : public Radio {
+ public:
+  /// `world` must outlive it.
+  RadioMedium(World& world, const PathLossParams& params);
+
+  /// Radios that have come or gone since.
+  void look();
+  /// Lets happen what happens in a step, whose state at its end is the world's.
+  void step(const StepInfo& info);
+  /// As no radio had ever sent.
+  void reset();
+  void state(StateArchive& archive);
+
+  std::vector<std::string> names() override;
+  bool send(const std::string& source, const std::string& destination, const std::string& data,
+            const RadioQos& qos) override;
+  std::vector<RadioMessage> receive(const std::string& name) override;
+  std::vector<RadioLink> links() override;
+  void set_outage(const std::string& name, bool is_out) override;
+  std::string state_text() const override;
+
+ private:
+  int number(const std::string& name);
+  void add(const std::shared_ptr<const RadioEnd>& end);
+  void follow_outages(double time_s);
+  void take_deliveries();
+  RadioLink link(int source, int destination);
+
+  World& world_;
+  RadioLinks links_;
+  RadioChannel channel_;
+  std::map<std::string, int> numbers_;  ///< of the radios that are there
+  std::map<std::string, std::deque<RadioMessage>> inboxes_;
+  std::set<std::string> out_;  ///< by command
+  std::uint64_t dropped_ = 0;  ///< messages that nobody has asked for in time
+  std::uint64_t ports_version_ = ~std::uint64_t{0};
+};
+
+}  // namespace trident::sim

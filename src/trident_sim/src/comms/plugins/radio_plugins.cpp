@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "comms/phy/vht.h"
+#include "comms/plugins/radio_medium.h"
+#include "core/plugins/plugin_util.h"
+#include "trident_base/error.h"
+#include "trident_base/string_util.h"
+#include "trident_sim/plugin_registry.h"
+
+namespace trident::sim {
+namespace {
+
+/// One of a few words. Throws Error.
+template <class Choice>
+Choice choice(const PluginParams& params, const std::string& key,
+              const std::vector<std::pair<std::string, Choice>>& known) {
+  const std::string text = params.text(key, known.front().first);
+  std::vector<std::string> names;
+  for (const auto& [name, value] : known) {
+    if (name == text) return value;
+    names.push_back(name);
+  }
+  params.refuse(key, text, join(names, " or "));
+}
+
+std::vector<std::string> words(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> result;
+  for (std::string word; stream >> word;) result.push_back(word);
+  return result;
+}
+
+/// Adaptive, or a number that is a mode at this width.
+int read_rate(const PluginParams& params, int width_mhz) {
+  const std::string text = params.text("rate", "adaptive");
+  if (text == "adaptive") return -1;
+  const auto mcs = number_from_text(text);
+  const bool is_whole = mcs && *mcs == static_cast<int>(*mcs);
+  if (!is_whole || !vht::is_mode(static_cast<int>(*mcs), width_mhz)) {
+    params.refuse("rate", text,
+                  width_mhz == 20 ? "adaptive or an MCS, 0 to 8" : "adaptive or an MCS, 0 to 9");
+  }
+  return static_cast<int>(*mcs);
+}
+
+RadioParams read_radio(const PluginParams& params) {
+  RadioParams radio;
+  params.text("standard", "802.11ac");
+  radio.channel = params.integer("channel", radio.channel, {36, 177});
+  radio.width_mhz = choice<int>(params, "width", {{"20", 20}, {"40", 40}, {"80", 80}});
+  radio.tx_power_dbm = params.number("tx_power", radio.tx_power_dbm, {-30, 40});
+  radio.noise_figure_db = params.number("noise_figure", radio.noise_figure_db, {0, 30});
+  radio.carrier_sense_dbm = params.number("carrier_sense", radio.carrier_sense_dbm, {-100, -30});
+  radio.mcs = read_rate(params, radio.width_mhz);
+  radio.has_short_guard = choice<bool>(params, "guard", {{"long", false}, {"short", true}});
+  radio.max_ampdu_bytes =
+      static_cast<std::size_t>(params.integer("max_ampdu", 65535, {0, 1048575}));
+  radio.broadcast_mbit_s =
+      choice<int>(params, "broadcast_rate", {{"6", 6}, {"12", 12}, {"24", 24}});
+  radio.tries = params.integer("tries", radio.tries, {1, 255});
+  radio.queue_bytes = static_cast<std::size_t>(params.integer("queue_bytes", 1000000, {2000, 1e9}));
+  radio.processing_ns = SimTime::from_seconds(params.number("processing", 0.0002, {0.0, 1.0})).ns;
+  return radio;
+}
+
+/// The robot's namespace without outer slashes; of one without a namespace the model's name.
+std::string name_of(const PluginParams& params, const std::string& model) {
+  const std::string text = params.text("robotNamespace", model);
+  const std::size_t first = text.find_first_not_of('/');
+  if (first == std::string::npos) return model;
+  return text.substr(first, text.find_last_not_of('/') - first + 1);
+}
+
+std::vector<RadioOutage> read_outages(const PluginParams& params) {
+  const std::string text = params.text("outages", "");
+  const std::vector<std::string> parts = words(text);
+  std::vector<RadioOutage> outages;
+  const char* const kExpected = "pairs of times [s], each begin before its end";
+  if (parts.size() % 2 != 0) params.refuse("outages", text, kExpected);
+  for (std::size_t i = 0; i < parts.size(); i += 2) {
+    const auto begin = number_from_text(parts[i]), end = number_from_text(parts[i + 1]);
+    if (!begin || !end || !(*begin <= *end)) params.refuse("outages", text, kExpected);
+    outages.push_back({*begin, *end});
+  }
+  return outages;
+}
+
+/// libtrident_radio.so: an IEEE 802.11ac radio of a robot, or of a static model such as a mast. It
+/// has the name of the robot, <robotNamespace>. Its antenna sits <height> above the origin of
+/// <linkName> (the model's first link) along its z, at <xyzOffset>. Radios of one <channel> hear
+/// each other as far as the world's libtrident_radio_medium.so lets them.
+class RadioPlugin : public Plugin {
+ public:
+  explicit RadioPlugin(const PluginContext& context)
+      : world_(context.world), owner_(context.params.owner()) {
+    const PluginParams& params = context.params;
+    auto end = std::make_shared<RadioEnd>();
+    end->name = name_of(params, context.model->name);
+    end->params = read_radio(params);
+    end->pattern = choice<AntennaPattern>(
+        params, "antenna",
+        {{"isotropic", AntennaPattern::kIsotropic}, {"dipole", AntennaPattern::kDipole}});
+    end->gain_dbi = params.number("gain", end->gain_dbi, {-30, 40});
+    end->model = context.model;
+    end->link = &find_link(context);
+    end->T_link_antenna.p = params.vector3("xyzOffset", Eigen::Vector3d::Zero());
+    end->T_link_antenna.p.z() += params.number("height", 0.3, {-10, 100});
+    end->outages = read_outages(params);
+    if (end->name == Radio::kAll) params.refuse("robotNamespace", end->name, "another name");
+    end_ = advertise<RadioEndSample>(context, end->name + "/radio", PortRank::kState);
+    end_->value.end = std::move(end);
+  }
+
+  std::vector<Phase> phases() const override { return {Phase::kSense}; }
+  void pre_step(Phase, World&, const StepInfo&) override {
+    if (has_looked_) return;
+    has_looked_ = true;
+    if (find_radio(world_) != nullptr) return;
+    world_.report(Severity::kWarning, owner_ + ": the world has no air for radios, nobody hears '" +
+                                          end_->value.end->name +
+                                          "'; libtrident_radio_medium.so in the world makes it");
+  }
+
+ private:
+  static Link& find_link(const PluginContext& context) {
+    if (context.params.has("linkName")) return required_link(context, "linkName");
+    if (context.link != nullptr) return *context.link;
+    Link* const first = context.model->canonical_link();
+    if (first == nullptr) context.params.refuse("linkName", "", "a link of the model");
+    return *first;
+  }
+
+  World& world_;
+  std::string owner_;
+  bool has_looked_ = false;
+  OutHandle<RadioEndSample> end_;
+};
+
+ObstacleParams read_obstacles(const PluginParams& params) {
+  ObstacleParams obstacles;
+  obstacles.penetration_db = params.number("penetration_db", obstacles.penetration_db, {0, 200});
+  const std::string text = params.text("materials", "");
+  const std::vector<std::string> parts = words(text);
+  const char* const kExpected = "pairs of a part of a collision's name and a loss, 0 to 200 [dB]";
+  if (parts.size() % 2 != 0) params.refuse("materials", text, kExpected);
+  for (std::size_t i = 0; i < parts.size(); i += 2) {
+    const auto loss_db = number_from_text(parts[i + 1]);
+    if (!loss_db || !(*loss_db >= 0.0 && *loss_db <= 200.0)) {
+      params.refuse("materials", text, kExpected);
+    }
+    obstacles.materials.emplace_back(parts[i], *loss_db);
+  }
+  return obstacles;
+}
+
+PathLossParams read_path_loss(const PluginParams& params) {
+  PathLossParams path;
+  path.model = choice<PathModel>(params, "path",
+                                 {{"two_ray", PathModel::kTwoRay},
+                                  {"log_distance", PathModel::kLogDistance},
+                                  {"free_space", PathModel::kFreeSpace}});
+  path.exponent = params.number("exponent", path.exponent, {1, 6});
+  path.shadowing.stddev_db = params.number("shadowing_sigma", path.shadowing.stddev_db, {0, 20});
+  path.shadowing.decorrelation_m =
+      params.number("decorrelation_distance", path.shadowing.decorrelation_m, {1, 1000});
+  path.obstacles = read_obstacles(params);
+  path.polarization = choice<Polarization>(
+      params, "polarization",
+      {{"vertical", Polarization::kVertical}, {"horizontal", Polarization::kHorizontal}});
+  path.water.relative_permittivity =
+      params.number("permittivity", path.water.relative_permittivity, {1, 100});
+  path.water.conductivity_s_m = params.number("conductivity", path.water.conductivity_s_m, {0, 10});
+  return path;
+}
+
+/// libtrident_radio_medium.so, a world's plugin: the air between the radios (libtrident_radio.so).
+/// <path> two_ray: free space, with the reflection of the sea where there is one; log_distance,
+/// with <exponent>; free_space. <shadowing_sigma> [dB] over <decorrelation_distance> [m].
+/// <penetration_db> for each shape in the path, or by <materials>, and diffraction around it.
+class RadioMediumPlugin : public Plugin {
+ public:
+  explicit RadioMediumPlugin(const PluginContext& context) {
+    if (context.model != nullptr) {
+      throw Error(context.params.owner() + ": is of a model, legal: of a world");
+    }
+    if (context.world.ports().find(kRadioPort, PortDirection::kOut) != nullptr) {
+      throw Error(context.params.owner() + ": the world has air for radios already, legal is one");
+    }
+    medium_ = std::make_shared<RadioMedium>(context.world, read_path_loss(context.params));
+    radio_ = advertise<RadioSample>(context, kRadioPort, PortRank::kState);
+    radio_->value.radio = medium_;
+  }
+
+  std::vector<Phase> phases() const override { return {Phase::kPost}; }
+  void post_step(const World&, const StepInfo& info) override { medium_->step(info); }
+  void reset() override { medium_->reset(); }
+  void state(StateArchive& archive) override { medium_->state(archive); }
+
+ private:
+  std::shared_ptr<RadioMedium> medium_;
+  OutHandle<RadioSample> radio_;
+};
+
+const PluginRegistrar kRadio("libtrident_radio.so", factory_of<RadioPlugin>());
+const PluginRegistrar kRadioMedium("libtrident_radio_medium.so", factory_of<RadioMediumPlugin>());
+
+}  // namespace
+}  // namespace trident::sim
