@@ -135,6 +135,21 @@ TEST(RadioPlugins, OutagesByScheduleAndByCommand) {
   EXPECT_TRUE(arrives());
 }
 
+TEST(RadioPlugins, NoRadioWorksInAnOutageRegion) {
+  TwoRobots two(10.0, {}, medium({{"path", "free_space"}, {"outage_regions", "10 0 2  50 50 3"}}));
+  two.radio->send("a", "b", "inside", {});
+  two.world->step(20);
+  EXPECT_TRUE(two.radio->receive("b").empty());
+  two.world->set_model_pose(*two.world->find_model("b"), at({15, 0, 1}));
+  two.radio->send("a", "b", "outside", {});
+  two.world->step(20);
+  EXPECT_EQ(texts(two.radio->receive("b")), (std::vector<std::string>{"outside"}));
+  EXPECT_NE(error_of([] {
+              TestWorld world(with_air(medium({{"outage_regions", "1 2"}})));
+            }).find("x, y and radius"),
+            std::string::npos);
+}
+
 TEST(RadioPlugins, ASnapshotBringsBackWhatIsOnTheAir) {
   TwoRobots two(900.0, {{"tx_power", "10"}});
   const auto run = [&two] {

@@ -27,12 +27,14 @@ TEST(BuiltinPlugins, AllHaveAnExample) {
   }
   // Two do nothing here: ROS is bound by the server, bags are written by rosbag. The others have no
   // port with numbers, or want a file or elements in elements; their tests are follow_test.cpp,
-  // marine/{buoyancy,mooring,sea_plugin,usv_plugins,uuv_plugins,vessel_plugin,wind_on_vehicles}_test.cpp
-  // and trident_description's test_vessels.py.
+  // marine/{buoyancy,mooring,sea_plugin,usv_plugins,uuv_plugins,vessel_plugin,wind_on_vehicles}_test.cpp,
+  // comms/radio_plugins_test.cpp and trident_description's test_vessels.py.
   const std::set<std::string> expected{"rotors_gazebo_ros_interface_plugin",
                                        "rotors_gazebo_bag_plugin",
                                        "trident_follow",
                                        "trident_mooring",
+                                       "trident_radio",
+                                       "trident_radio_medium",
                                        "trident_sea",
                                        "trident_environment",
                                        "trident_vessel",

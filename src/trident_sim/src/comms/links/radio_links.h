@@ -34,6 +34,8 @@ class RadioLinks : public LinkLosses {
   double loss_db(int a, int b) override;
   /// The same as it is now, without an influence on what loss_db() returns afterwards.
   double present_loss_db(int a, int b);
+  /// Of the station's antenna, now, world frame [m].
+  const Eigen::Vector3d& position(int station) { return pose(station).p; }
   /// From antenna to antenna, now [m].
   double distance_m(int a, int b);
   /// The station's radio; never that of one that is gone.

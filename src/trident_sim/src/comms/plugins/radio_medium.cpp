@@ -23,8 +23,16 @@ std::shared_ptr<Radio> find_radio(const World& world) {
   return port == nullptr ? nullptr : port->value.radio;
 }
 
-RadioMedium::RadioMedium(World& world, const PathLossParams& params)
-    : world_(world), links_(world, params), channel_(world.seed()) {}
+RadioMedium::RadioMedium(World& world, const PathLossParams& params, std::vector<RadioShade> shades)
+    : world_(world), links_(world, params), shades_(std::move(shades)), channel_(world.seed()) {}
+
+bool RadioMedium::is_shaded(int station) {
+  if (shades_.empty()) return false;
+  const Eigen::Vector2d place = links_.position(station).head<2>();
+  return std::any_of(shades_.begin(), shades_.end(), [&place](const RadioShade& shade) {
+    return (place - shade.center).norm() <= shade.radius_m;
+  });
+}
 
 void RadioMedium::look() {
   if (world_.ports().version() == ports_version_) return;
@@ -78,7 +86,7 @@ void RadioMedium::follow_outages(double time_s) {
         std::any_of(planned.begin(), planned.end(), [time_s](const RadioOutage& outage) {
           return time_s >= outage.begin_s && time_s < outage.end_s;
         });
-    channel_.set_out(number, is_planned || out_.count(name) > 0);
+    channel_.set_out(number, is_planned || out_.count(name) > 0 || is_shaded(number));
   }
 }
 

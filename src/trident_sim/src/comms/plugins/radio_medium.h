@@ -15,11 +15,17 @@
 
 namespace trident::sim {
 
+/// Where no radio works: a vertical cylinder.
+struct RadioShade {
+  Eigen::Vector2d center;  ///< world frame [m]
+  double radius_m = 0.0;
+};
+
 /// The radios of a world, found by their ports, and what happens between them.
 class RadioMedium : public Radio {
  public:
   /// `world` must outlive it.
-  RadioMedium(World& world, const PathLossParams& params);
+  RadioMedium(World& world, const PathLossParams& params, std::vector<RadioShade> shades = {});
 
   /// Radios that have come or gone since.
   void look();
@@ -41,11 +47,13 @@ class RadioMedium : public Radio {
   int number(const std::string& name);
   void add(const std::shared_ptr<const RadioEnd>& end);
   void follow_outages(double time_s);
+  bool is_shaded(int station);
   void take_deliveries();
   RadioLink link(int source, int destination);
 
   World& world_;
   RadioLinks links_;
+  std::vector<RadioShade> shades_;
   RadioChannel channel_;
   std::map<std::string, int> numbers_;  ///< of the radios that are there
   std::map<std::string, std::deque<RadioMessage>> inboxes_;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -178,10 +179,27 @@ PathLossParams read_path_loss(const PluginParams& params) {
   return path;
 }
 
+std::vector<RadioShade> read_shades(const PluginParams& params) {
+  const std::string text = params.text("outage_regions", "");
+  const std::vector<std::string> parts = words(text);
+  const char* const kExpected = "x, y and radius of each [m], the radius not negative";
+  if (parts.size() % 3 != 0) params.refuse("outage_regions", text, kExpected);
+  std::vector<RadioShade> shades;
+  for (std::size_t i = 0; i < parts.size(); i += 3) {
+    const auto x = number_from_text(parts[i]), y = number_from_text(parts[i + 1]);
+    const auto radius = number_from_text(parts[i + 2]);
+    const bool is_legal = x && y && radius && std::isfinite(*x + *y + *radius) && *radius >= 0.0;
+    if (!is_legal) params.refuse("outage_regions", text, kExpected);
+    shades.push_back({{*x, *y}, *radius});
+  }
+  return shades;
+}
+
 /// libtrident_radio_medium.so, a world's plugin: the air between the radios (libtrident_radio.so).
 /// <path> two_ray: free space, with the reflection of the sea where there is one; log_distance,
 /// with <exponent>; free_space. <shadowing_sigma> [dB] over <decorrelation_distance> [m].
-/// <penetration_db> for each shape in the path, or by <materials>, and diffraction around it.
+/// <penetration_db> for each shape in the path, or by <materials>, and diffraction around it. In
+/// <outage_regions>, circles, no radio works.
 class RadioMediumPlugin : public Plugin {
  public:
   explicit RadioMediumPlugin(const PluginContext& context) {
@@ -191,7 +209,8 @@ class RadioMediumPlugin : public Plugin {
     if (context.world.ports().find(kRadioPort, PortDirection::kOut) != nullptr) {
       throw Error(context.params.owner() + ": the world has air for radios already, legal is one");
     }
-    medium_ = std::make_shared<RadioMedium>(context.world, read_path_loss(context.params));
+    medium_ = std::make_shared<RadioMedium>(context.world, read_path_loss(context.params),
+                                            read_shades(context.params));
     radio_ = advertise<RadioSample>(context, kRadioPort, PortRank::kState);
     radio_->value.radio = medium_;
   }
