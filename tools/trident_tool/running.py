@@ -6,8 +6,7 @@ from __future__ import annotations
 
 import contextlib
 import os
-import random
-import socket
+import runpy
 import subprocess
 import sys
 import time
@@ -47,7 +46,6 @@ from trident_tool.workspace import (
 _RTF_ARG = "real_time_factor"
 _STRICT_ARG = "strict"
 _POLL_S = 0.2
-_MASTER_PORTS = 11400  # the first; beyond ROS and Gazebo
 _INTERRUPTED = 130  # what a shell reports for a command that ended by Ctrl-C
 
 
@@ -79,16 +77,13 @@ class Ending:
 
 
 def free_port() -> int:
-    """A TCP port that nobody listens on, and that the system gives to nobody who asks for any.
+    """A TCP port for a master: see trident_base.ports, which this is, read before anything is built.
 
-    As trident_base.ports, which is there only after a build.
+    Raises:
+        OSError: none was found.
     """
-    ephemeral = Path("/proc/sys/net/ipv4/ip_local_port_range").read_text(encoding="ascii")
-    first, end = _MASTER_PORTS, int(ephemeral.split()[0])
-    while True:
-        with socket.socket() as probe, contextlib.suppress(OSError):
-            probe.bind(("", random.SystemRandom().randrange(first, max(end, first + 1000))))
-            return int(probe.getsockname()[1])
+    file = Path(__file__).resolve().parents[2] / "src/trident_base/python/trident_base/ports.py"
+    return int(runpy.run_path(str(file))["free_port"]())
 
 
 def new_run_folder(out: Path, name: str, now: datetime) -> Path:
