@@ -77,7 +77,7 @@ class Ending:
 
 
 def free_port() -> int:
-    """A TCP port for a master: see trident_base.ports, which this is, read before anything is built.
+    """A TCP port for a master, by trident_base.ports, which needs no build.
 
     Raises:
         OSError: none was found.
