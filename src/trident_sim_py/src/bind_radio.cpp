@@ -3,6 +3,8 @@
 // The radios of a world; trident_sim/radio.py makes classes of it.
 #include <pybind11/stl.h>
 
+#include <cstdint>
+
 #include "bindings.h"
 #include "session.h"
 #include "trident_base/error.h"
@@ -38,7 +40,7 @@ py::list links(Session& session) {
   for (const RadioLink& l : radio_of(session).links()) {
     result.append(py::make_tuple(l.source, l.destination, l.distance_m, l.loss_db, l.snr_db, l.mcs,
                                  l.sent, l.delivered, l.lost, l.expired, l.refused,
-                                 l.mean_delay_s));
+                                 l.mean_delay_s()));
   }
   return result;
 }
@@ -60,7 +62,8 @@ void bind_radio(py::module_& module) {
   module.def(
       "radio_set_outage",
       [](Session& s, const std::string& name, bool is_out) {
-        radio_of(s).set_outage(name, is_out);
+        // For as long as a simulation can be, or over.
+        radio_of(s).set_outage(name, "", is_out ? SimTime{INT64_MAX} : SimTime{});
       },
       py::arg("session"), py::arg("name"), py::arg("out"), "See Radio.set_outage.");
 }

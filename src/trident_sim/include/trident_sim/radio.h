@@ -30,13 +30,26 @@ struct RadioMessage {
 struct RadioLink {
   std::string source, destination;  ///< names
   double distance_m = 0.0;          ///< from antenna to antenna
-  double loss_db =
-      0.0;              ///< between the antennas' connectors; infinite: they do not hear each other
-  double snr_db = 0.0;  ///< signal over noise at the destination; minus infinity as above
-  int mcs = 0;          ///< that frames have now
+  /// Between the antennas' connectors; infinite: they do not hear each other.
+  double loss_db = 0.0;
+  double rssi_dbm = 0.0;           ///< power at the destination; minus infinity as above
+  double snr_db = 0.0;             ///< signal over noise there; minus infinity as above
+  int mcs = 0;                     ///< that frames have now
+  double rate_bit_s = 0.0;         ///< of the data of such a frame
+  double packet_error_rate = 0.0;  ///< of 1500 bytes at that rate, without interference
+  bool is_up = false;              ///< a short frame at the lowest rate arrives more often than not
+  bool has_line_of_sight = false;  ///< nothing is in the path
+  double queue_bytes = 0.0;        ///< that wait at the source, for all its destinations
   std::uint64_t sent = 0, delivered = 0;             ///< messages
   std::uint64_t lost = 0, expired = 0, refused = 0;  ///< after all tries, too late, queue full
-  double mean_delay_s = 0.0;                         ///< of what was delivered
+  std::uint64_t bytes = 0;                           ///< of what was delivered
+  double delay_s = 0.0, squared_delay_s2 = 0.0;      ///< sums over what was delivered
+  double airtime_s = 0.0;                            ///< that frames of this link took
+
+  /// Of what was delivered [s]; 0: nothing was.
+  double mean_delay_s() const {
+    return delivered > 0 ? delay_s / static_cast<double>(delivered) : 0.0;
+  }
 };
 
 /// All radios of a world (IEEE 802.11ac), and the air between them. It follows the world's
@@ -57,10 +70,12 @@ class Radio {
                     const std::string& data, const RadioQos& qos) = 0;
   /// What has come by now and was not asked for before, oldest first. Throws Error as send().
   virtual std::vector<RadioMessage> receive(const std::string& name) = 0;
-  /// Every radio to every other one.
-  virtual std::vector<RadioLink> links() = 0;
-  /// A radio that is out neither sends nor hears. Throws Error as send().
-  virtual void set_outage(const std::string& name, bool is_out) = 0;
+  /// Every radio to every other one, or those from `source`.
+  virtual std::vector<RadioLink> links(const std::string& source = "") = 0;
+  /// Until that time a radio neither sends nor hears (destination ""), or hears nothing of another
+  /// one, nor that of it; a time that is over ends it. Throws Error as send().
+  virtual void set_outage(const std::string& source, const std::string& destination,
+                          SimTime until) = 0;
   /// What has happened so far, for World::state_hash().
   virtual std::string state_text() const = 0;
 };

@@ -13,6 +13,7 @@
 #include "models.h"
 #include "test_world.h"
 #include "trident_sim/radio.h"
+#include "trident_sim/radio_samples.h"
 #include "trident_sim/ray_scene.h"
 
 namespace trident::sim {
@@ -128,11 +129,120 @@ TEST(RadioPlugins, OutagesByScheduleAndByCommand) {
   EXPECT_FALSE(arrives());
   two.world->step(90);
   EXPECT_TRUE(arrives());
-  two.radio->set_outage("b", true);
+  two.radio->set_outage("b", "", SimTime::from_seconds(1e6));
   EXPECT_FALSE(arrives());
   EXPECT_TRUE(std::isinf(two.radio->links()[0].loss_db));
-  two.radio->set_outage("b", false);
+  two.radio->set_outage("b", "", SimTime());
   EXPECT_TRUE(arrives());
+}
+
+/// Robot b listens to packets, robot a's port takes them.
+struct Ports {
+  explicit Ports(TwoRobots& two)
+      : send(two.world->ports().find_in<RadioPacketSample>("a/radio/send")),
+        received(two.world->ports().find_out<RadioPacketSample>("b/radio/receive")) {
+    received->add_listener();
+  }
+  InPort<RadioPacketSample>* send;
+  OutPort<RadioPacketSample>* received;
+};
+
+RadioPacketSample packet(const std::string& destination, const std::string& data) {
+  RadioPacketSample result;
+  result.destination = destination;
+  result.topic = "poses";
+  result.qos = 1;
+  result.id = 0x0102030405060708;
+  result.data = data;
+  return result;
+}
+
+TEST(RadioPorts, PacketsGoOverTheAirWithTheirFields) {
+  TwoRobots two(10.0);
+  Ports ports(two);
+  for (const char* data : {"one", "two", "three"}) ports.send->write(packet("b", data));
+  two.world->step();
+  ASSERT_EQ(ports.received->count(), 1u);
+  std::vector<std::string> data;
+  for (const auto& earlier : ports.received->earlier()) data.push_back(earlier.data);
+  const RadioPacketSample& last = ports.received->value;
+  data.push_back(last.data);
+  EXPECT_EQ(data, (std::vector<std::string>{"one", "two", "three"}));
+  EXPECT_EQ(last.source, "a");
+  EXPECT_EQ(last.destination, "b");
+  EXPECT_EQ(last.topic, "poses");
+  EXPECT_EQ(last.qos, 1);
+  EXPECT_EQ(last.id, 0x0102030405060708u);
+  EXPECT_GT(last.stamp, SimTime());
+  two.radio->send("a", "b", "not a packet", {});
+  two.world->step();
+  EXPECT_EQ(ports.received->value.data, "not a packet");
+  EXPECT_EQ(ports.received->value.topic, "");
+}
+
+TEST(RadioPorts, BadPacketsAreReportedAndTheRestRuns) {
+  TwoRobots two(10.0);
+  Ports ports(two);
+  ports.send->write(packet("nobody", "x"));
+  ports.send->write(packet("b", std::string(10001, 'x')));
+  RadioPacketSample late = packet("b", "x");
+  late.deadline_s = -1.0;
+  ports.send->write(late);
+  ports.send->write(packet("", "to all"));
+  two.world->step();
+  EXPECT_EQ(two.world.report_count(Severity::kWarning, "a/radio/send: radio 'nobody'"), 1u);
+  EXPECT_EQ(two.world.report_count(Severity::kWarning, "10006 bytes with its topic"), 1u);
+  EXPECT_EQ(two.world.report_count(Severity::kWarning, "deadline is -1 s"), 1u);
+  EXPECT_EQ(ports.received->value.data, "to all");
+  for (int i = 0; i < 20; ++i) ports.send->write(packet("b", "x"));
+  two.world->step();
+  EXPECT_EQ(two.world.report_count(Severity::kWarning, "12 packets came in one step too many"), 1u);
+}
+
+TEST(RadioPorts, LinkStatusCountsOverItsPeriod) {
+  TwoRobots two(10.0);
+  Ports ports(two);
+  auto* status = two.world->ports().find_out<LinkStatusArraySample>("a/link_status");
+  auto* all = two.world->ports().find_out<LinkStatusArraySample>("radio/links");
+  status->add_listener();
+  all->add_listener();
+  for (int i = 0; i < 50; ++i) {
+    ports.send->write(packet("b", std::string(1000, 'x')));
+    two.world->step();
+  }
+  ASSERT_EQ(status->count(), 1u);
+  EXPECT_EQ(all->value.links.size(), 2u);
+  ASSERT_EQ(status->value.links.size(), 1u);
+  const LinkStatusSample& link = status->value.links[0];
+  EXPECT_EQ(link.source + link.destination, "ab");
+  EXPECT_TRUE(link.is_up);
+  EXPECT_TRUE(link.has_line_of_sight);
+  EXPECT_EQ(link.delivered, 50u);
+  EXPECT_NEAR(link.goodput_bit_s, 8.0 * 1020.0 * 50.0 / 0.5, 1.0);  // 15 + 5 bytes more
+  EXPECT_GT(link.latency_s, 0.0002);
+  EXPECT_LT(link.latency_s, 0.003);
+  EXPECT_GT(link.jitter_s, 0.0);
+  EXPECT_GT(link.airtime_share, 0.01);
+  EXPECT_LT(link.airtime_share, 0.2);
+  EXPECT_NEAR(link.rssi_dbm - link.snr_db, -94.0, 0.02);
+  two.world->step(50);
+  EXPECT_EQ(status->value.links[0].goodput_bit_s, 0.0);
+  EXPECT_TRUE(std::isnan(status->value.links[0].latency_s));
+}
+
+TEST(RadioPorts, ACutLinkLeavesTheOthers) {
+  TwoRobots two(10.0);
+  two.world.add(robot("c", {5, 5, 1}));
+  two.radio->set_outage("b", "a", SimTime::from_seconds(0.5));
+  two.radio->send("a", "b", "cut", {});
+  two.radio->send("a", "c", "free", {});
+  two.world->step(40);
+  EXPECT_TRUE(two.radio->receive("b").empty());
+  EXPECT_EQ(texts(two.radio->receive("c")), (std::vector<std::string>{"free"}));
+  two.world->step(20);
+  two.radio->send("a", "b", "again", {});
+  two.world->step(5);
+  EXPECT_EQ(texts(two.radio->receive("b")), (std::vector<std::string>{"again"}));
 }
 
 TEST(RadioPlugins, NoRadioWorksInAnOutageRegion) {

@@ -28,6 +28,7 @@ Server::Server(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
   advertise_property_services(private_node_, simulation_, servers_);
   advertise_force_services(private_node_, simulation_, servers_);
   advertise_run_services(private_node_, simulation_, servers_);
+  advertise_radio_service(private_node_, simulation_, servers_);
   advertise_spawn_services(spawn_node_, simulation_, servers_);
   advertise_delete_service(private_node_, simulation_, servers_);  // the last: then all are there
   spinner_.start();

@@ -26,6 +26,8 @@ void advertise_force_services(ros::NodeHandle& node, Simulation& simulation, Ser
 /// /gazebo/not_repeatable (std_msgs/String): a node names what made it act by chance.
 void subscribe_run_topics(ros::NodeHandle& node, Simulation& simulation,
                           std::vector<ros::Subscriber>& subscribers);
+/// /radio/outage; `node` is that of all names.
+void advertise_radio_service(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
 void advertise_run_services(ros::NodeHandle& node, Simulation& simulation, Servers& servers);
 
 /// Runs `work`; an Error becomes success = false and its text the status message.

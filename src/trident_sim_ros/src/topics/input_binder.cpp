@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "conversions/conversions.h"
+#include "conversions/radio_conversions.h"
 #include "thruster_services.h"
 #include "trident_ros/schedule_fuzz.h"
 #include "trident_sim/commands.h"
@@ -48,6 +49,9 @@ PathCommand from_message(const nav_msgs::Path& message) {
   for (const auto& pose : message.poses) path.p_world.push_back(from_point(pose.pose.position));
   return path;
 }
+RadioPacketSample from_message(const trident_msgs::RadioPacket& message) {
+  return from_packet(message);
+}
 TextCommand from_message(const std_msgs::String& message) { return {SimTime{}, message.data}; }
 
 /// When a command counts; zero: in the next step.
@@ -71,9 +75,10 @@ struct Surroundings {
 template <class Command>
 class Mailbox {
  public:
-  /// Of texts all that a port holds wait, as each says a part only; else the newest.
-  static constexpr std::size_t kDepth =
-      std::is_same_v<Command, TextCommand> ? InPort<Command>::kDepth : 1;
+  /// Of texts and packets all that a port holds wait, as each says a part only; else the newest.
+  static constexpr bool kAllCount =
+      std::is_same_v<Command, TextCommand> || std::is_same_v<Command, RadioPacketSample>;
+  static constexpr std::size_t kDepth = kAllCount ? InPort<Command>::kDepth : 1;
 
   explicit Mailbox(const Surroundings& around)
       : bell_(around.bell), repeatability_(around.repeatability) {}
@@ -210,6 +215,7 @@ constexpr BindFunction kBindFunctions[] = {
     try_bind<DriveCommand, TopicBinding<DriveCommand, heron_msgs::Drive>>,
     try_bind<JointCommand, TopicBinding<JointCommand, sensor_msgs::JointState>>,
     try_bind<TriggerCommand, TopicBinding<TriggerCommand, std_msgs::Empty>>,
+    try_bind<RadioPacketSample, TopicBinding<RadioPacketSample, trident_msgs::RadioPacket>>,
     try_bind<TextCommand, TopicBinding<TextCommand, std_msgs::String>>,
     try_bind<ServiceCommand, ServiceBinding>,
 };

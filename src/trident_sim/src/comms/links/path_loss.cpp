@@ -16,12 +16,6 @@ constexpr double kShallow_m = 0.3;
 
 double channel_frequency_hz(int channel) { return 5e9 + 5e6 * channel; }
 
-double PathLoss::loss_db(const Obstacles::End& a, const Obstacles::End& b, double wavelength_m,
-                         const Sea* sea, double time_s) {
-  return over_distance_db(a.p_world, b.p_world, wavelength_m, sea, time_s) +
-         obstacles_.loss_db(a, b, wavelength_m);
-}
-
 double PathLoss::over_distance_db(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                   double wavelength_m, const Sea* sea, double time_s) const {
   const double distance_m = (b - a).norm();

@@ -37,13 +37,13 @@ class PathLoss {
   PathLoss(World& world, const PathLossParams& params)
       : params_(params), obstacles_(world, params.obstacles) {}
 
-  /// [dB] at a time, by the world's sea (nullptr: it has none).
-  double loss_db(const Obstacles::End& a, const Obstacles::End& b, double wavelength_m,
-                 const Sea* sea, double time_s);
-
- private:
+  /// By the distance, at a time, over the world's sea (nullptr: it has none) [dB].
   double over_distance_db(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double wavelength_m,
                           const Sea* sea, double time_s) const;
+  /// By what is in the path [dB].
+  Obstacles& obstacles() { return obstacles_; }
+
+ private:
   double over_water_db(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double wavelength_m,
                        const Sea& sea, double time_s) const;
 

@@ -52,16 +52,14 @@ double RadioLinks::loss_db(int a, int b) {
       !has_moved(p_first, known->second.p_first) && !has_moved(p_second, known->second.p_second)) {
     return known->second.loss_db;
   }
-  const double loss_db = work_out(key.first, key.second);
+  const double loss_db = work_out(key.first, key.second).whole_db;
   pairs_[key] = {p_first, p_second, models, loss_db};
   return loss_db;
 }
 
-double RadioLinks::present_loss_db(int a, int b) {
-  return work_out(std::min(a, b), std::max(a, b));
-}
+LinkLoss RadioLinks::present_loss(int a, int b) { return work_out(std::min(a, b), std::max(a, b)); }
 
-double RadioLinks::work_out(int first, int second) {
+LinkLoss RadioLinks::work_out(int first, int second) {
   if (!is_fresh_) rays(world_, RayGeometry::kCollision).refresh();
   is_fresh_ = true;
   const RadioEnd &a = end(first), &b = end(second);
@@ -71,10 +69,14 @@ double RadioLinks::work_out(int first, int second) {
   const Eigen::Vector3d along =
       distance > 1e-9 ? Eigen::Vector3d(path / distance) : Eigen::Vector3d::UnitX();
   const double wavelength = wavelength_m(channel_frequency_hz(a.params.channel));
-  return path_loss_.loss_db({T_a.p, a.model}, {T_b.p, b.model}, wavelength, around_.sea(),
-                            world_.time().seconds()) +
-         shadow_db({first, second}) - a.gain_towards_dbi(T_a, along) -
-         b.gain_towards_dbi(T_b, -along);
+  LinkLoss loss;
+  loss.obstacles_db =
+      path_loss_.obstacles().loss_db({T_a.p, a.model}, {T_b.p, b.model}, wavelength);
+  loss.whole_db = path_loss_.over_distance_db(T_a.p, T_b.p, wavelength, around_.sea(),
+                                              world_.time().seconds()) +
+                  loss.obstacles_db + shadow_db({first, second}) - a.gain_towards_dbi(T_a, along) -
+                  b.gain_towards_dbi(T_b, -along);
+  return loss;
 }
 
 // In the order of the names: numbers depend on who came first.

@@ -19,6 +19,12 @@
 
 namespace trident::sim {
 
+/// Of a pair of radios.
+struct LinkLoss {
+  double whole_db = 0.0;      ///< antennas included
+  double obstacles_db = 0.0;  ///< of it by what is in the path
+};
+
 /// The losses between the radios of a world. That of a pair is worked out when it is asked for, and
 /// again once an end has moved by 0.1 m, or things have come to the world or gone.
 class RadioLinks : public LinkLosses {
@@ -33,7 +39,7 @@ class RadioLinks : public LinkLosses {
 
   double loss_db(int a, int b) override;
   /// The same as it is now, without an influence on what loss_db() returns afterwards.
-  double present_loss_db(int a, int b);
+  LinkLoss present_loss(int a, int b);
   /// Of the station's antenna, now, world frame [m].
   const Eigen::Vector3d& position(int station) { return pose(station).p; }
   /// From antenna to antenna, now [m].
@@ -54,7 +60,7 @@ class RadioLinks : public LinkLosses {
   using Key = std::pair<int, int>;  ///< the smaller number first
 
   const SE3& pose(int station);
-  double work_out(int first, int second);
+  LinkLoss work_out(int first, int second);
   double shadow_db(Key key);
 
   World& world_;

@@ -198,7 +198,9 @@ void RadioChannel::deliver(const RadioPacket& packet, int receiver, double snr_d
   own.delivered_ns = time_ns;
   ++own.counts.delivered;
   own.counts.bytes += packet.bytes();
-  own.counts.delay_ns += time_ns - packet.created_ns;
+  const double delay_s = 1e-9 * static_cast<double>(time_ns - packet.created_ns);
+  own.counts.delay_s += delay_s;
+  own.counts.squared_delay_s2 += delay_s * delay_s;
   note(packet.number);
   note(static_cast<std::uint64_t>(time_ns));
   deliveries_.push_back({time_ns, receiver, snr_db, packet});

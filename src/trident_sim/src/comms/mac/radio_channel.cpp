@@ -250,6 +250,7 @@ Transmission RadioChannel::broadcast_frame(int number) {
   station.sent = {0};
   const RadioPacket& packet = station.attempt->subframes.front().packet;
   frame.end_ns = now_ns_ + vht::legacy_duration_ns(rate, frame_bytes(packet));
+  own.counts.airtime_ns += frame.end_ns - now_ns_;
   return frame;
 }
 
@@ -282,6 +283,7 @@ Transmission RadioChannel::unicast_frame(int number) {
   frame.frame = own.counts.frames++;
   frame.end_ns =
       now_ns_ + vht::duration_ns(rate.mcs, params.width_mhz, params.has_short_guard, bytes);
+  own.counts.airtime_ns += frame.end_ns - now_ns_;
   return frame;
 }
 

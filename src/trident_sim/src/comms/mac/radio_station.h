@@ -18,15 +18,16 @@ namespace trident::sim {
 
 /// What became of the packets from one station to another, since the channel was reset.
 struct LinkCounts {
-  std::uint64_t sent = 0;       ///< that the user has given
-  std::uint64_t delivered = 0;  ///< whole, each once
-  std::uint64_t lost = 0;       ///< given up after all tries
-  std::uint64_t expired = 0;    ///< too old before they could be sent
-  std::uint64_t refused = 0;    ///< the queue was full
-  std::uint64_t bytes = 0;      ///< of what was delivered
-  std::uint64_t frames = 0;     ///< data frames on the air
-  std::int64_t delay_ns = 0;    ///< of what was delivered, summed up
-  double snr_db = 0.0;          ///< of the newest frame that was heard
+  std::uint64_t sent = 0;                        ///< that the user has given
+  std::uint64_t delivered = 0;                   ///< whole, each once
+  std::uint64_t lost = 0;                        ///< given up after all tries
+  std::uint64_t expired = 0;                     ///< too old before they could be sent
+  std::uint64_t refused = 0;                     ///< the queue was full
+  std::uint64_t bytes = 0;                       ///< of what was delivered
+  std::uint64_t frames = 0;                      ///< data frames on the air
+  double delay_s = 0.0, squared_delay_s2 = 0.0;  ///< sums over what was delivered
+  std::int64_t airtime_ns = 0;                   ///< of the data frames
+  double snr_db = 0.0;                           ///< of the newest frame that was heard
 };
 
 /// From one station to another.

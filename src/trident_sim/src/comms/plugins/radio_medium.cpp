@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "comms/phy/packet_error.h"
+#include "comms/phy/vht.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
@@ -15,6 +16,18 @@ namespace {
 
 // Messages that wait in an inbox for somebody to ask, at most.
 constexpr std::size_t kMaxWaiting = 10000;
+
+void add_counts(const LinkCounts& counts, RadioLink* link) {
+  link->sent = counts.sent;
+  link->delivered = counts.delivered;
+  link->lost = counts.lost;
+  link->expired = counts.expired;
+  link->refused = counts.refused;
+  link->bytes = counts.bytes;
+  link->delay_s = counts.delay_s;
+  link->squared_delay_s2 = counts.squared_delay_s2;
+  link->airtime_s = 1e-9 * static_cast<double>(counts.airtime_ns);
+}
 
 }  // namespace
 
@@ -53,7 +66,7 @@ void RadioMedium::look() {
     }
     channel_.remove(known->second);
     inboxes_.erase(known->first);
-    out_.erase(known->first);
+    drop_outages_of(known->first);
     known = numbers_.erase(known);
   }
   for (const auto& [name, end] : present) add(end);
@@ -79,14 +92,38 @@ std::vector<std::string> RadioMedium::names() {
   return result;
 }
 
-void RadioMedium::follow_outages(double time_s) {
+void RadioMedium::follow_outages(SimTime now) {
+  now_ = now;
+  const double time_s = now.seconds();
   for (const auto& [name, number] : numbers_) {
     const auto& planned = links_.end(number).outages;
     const bool is_planned =
         std::any_of(planned.begin(), planned.end(), [time_s](const RadioOutage& outage) {
           return time_s >= outage.begin_s && time_s < outage.end_s;
         });
-    channel_.set_out(number, is_planned || out_.count(name) > 0 || is_shaded(number));
+    const auto commanded = out_until_.find(name);
+    const bool is_commanded = commanded != out_until_.end() && now < commanded->second;
+    channel_.set_out(number, is_planned || is_commanded || is_shaded(number));
+  }
+}
+
+RadioMedium::Pair RadioMedium::pair_of(const std::string& a, const std::string& b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+bool RadioMedium::is_cut(int a, int b) const {
+  if (cut_until_.empty()) return false;
+  const auto cut = cut_until_.find(pair_of(links_.end(a).name, links_.end(b).name));
+  return cut != cut_until_.end() && now_ < cut->second;
+}
+
+double RadioMedium::loss_db(int a, int b) { return is_cut(a, b) ? INFINITY : links_.loss_db(a, b); }
+
+void RadioMedium::drop_outages_of(const std::string& name) {
+  out_until_.erase(name);
+  for (auto cut = cut_until_.begin(); cut != cut_until_.end();) {
+    const bool is_its = cut->first.first == name || cut->first.second == name;
+    cut = is_its ? cut_until_.erase(cut) : std::next(cut);
   }
 }
 
@@ -94,8 +131,8 @@ void RadioMedium::step(const StepInfo& info) {
   look();
   if (channel_.is_idle()) return;
   links_.follow();
-  follow_outages(info.begin.seconds());
-  channel_.advance(info.end.ns, links_);
+  follow_outages(info.begin);
+  channel_.advance(info.end.ns, *this);
   take_deliveries();
 }
 
@@ -158,50 +195,56 @@ std::vector<RadioMessage> RadioMedium::receive(const std::string& name) {
 
 RadioLink RadioMedium::link(int source, int destination) {
   const RadioEnd &from = links_.end(source), &to = links_.end(destination);
-  const LinkCounts counts = channel_.counts(source, destination);
+  const RadioStation& sender = channel_.station(source);
+  const bool is_possible = from.params.channel == to.params.channel && !sender.is_out &&
+                           !channel_.station(destination).is_out && !is_cut(source, destination);
+  const LinkLoss loss = links_.present_loss(source, destination);
   RadioLink result;
   result.source = from.name;
   result.destination = to.name;
   result.distance_m = links_.distance_m(source, destination);
-  const bool is_possible = from.params.channel == to.params.channel &&
-                           !channel_.station(source).is_out &&
-                           !channel_.station(destination).is_out;
-  result.loss_db = is_possible ? links_.present_loss_db(source, destination) : INFINITY;
-  result.snr_db = from.params.tx_power_dbm - result.loss_db -
-                  noise_power_dbm(to.params.width_mhz, to.params.noise_figure_db);
+  result.loss_db = is_possible ? loss.whole_db : INFINITY;
+  result.rssi_dbm = from.params.tx_power_dbm - result.loss_db;
+  result.snr_db = result.rssi_dbm - noise_power_dbm(to.params.width_mhz, to.params.noise_figure_db);
   result.mcs = channel_.mcs(source, destination);
-  result.sent = counts.sent;
-  result.delivered = counts.delivered;
-  result.lost = counts.lost;
-  result.expired = counts.expired;
-  result.refused = counts.refused;
-  if (counts.delivered > 0) {
-    result.mean_delay_s =
-        1e-9 * static_cast<double>(counts.delay_ns) / static_cast<double>(counts.delivered);
+  result.rate_bit_s =
+      vht::data_rate(result.mcs, from.params.width_mhz, from.params.has_short_guard);
+  constexpr std::size_t kLongBytes = 1500, kShortBytes = 100;
+  result.packet_error_rate = packet_error_rate(result.mcs, result.snr_db, kLongBytes);
+  result.is_up = packet_error_rate(0, result.snr_db, kShortBytes) < 0.5;
+  result.has_line_of_sight = loss.obstacles_db == 0.0;
+  for (const std::size_t bytes : sender.queued_bytes) {
+    result.queue_bytes += static_cast<double>(bytes);
   }
+  add_counts(channel_.counts(source, destination), &result);
   return result;
 }
 
-std::vector<RadioLink> RadioMedium::links() {
+std::vector<RadioLink> RadioMedium::links(const std::string& source) {
+  if (!source.empty()) number(source);
   look();
   links_.follow();
-  follow_outages(world_.time().seconds());
+  follow_outages(world_.time());
   std::vector<RadioLink> result;
-  for (const auto& [name, source] : numbers_) {
-    for (const auto& [other, destination] : numbers_) {
-      if (source != destination) result.push_back(link(source, destination));
+  for (const auto& [name, from] : numbers_) {
+    if (!source.empty() && name != source) continue;
+    for (const auto& [other, to] : numbers_) {
+      if (from != to) result.push_back(link(from, to));
     }
   }
   return result;
 }
 
-void RadioMedium::set_outage(const std::string& name, bool is_out) {
-  number(name);
-  if (is_out) {
-    out_.insert(name);
-  } else {
-    out_.erase(name);
+void RadioMedium::set_outage(const std::string& source, const std::string& destination,
+                             SimTime until) {
+  number(source);
+  if (destination.empty()) {
+    out_until_[source] = until;
+    return;
   }
+  number(destination);
+  if (source == destination) throw Error("radio '" + source + "': has no link to itself");
+  cut_until_[pair_of(source, destination)] = until;
 }
 
 void RadioMedium::reset() {
@@ -209,13 +252,14 @@ void RadioMedium::reset() {
   links_.clear();
   numbers_.clear();
   inboxes_.clear();
-  out_.clear();
+  out_until_.clear();
+  cut_until_.clear();
   dropped_ = 0;
   ports_version_ = ~std::uint64_t{0};
 }
 
 void RadioMedium::state(StateArchive& archive) {
-  archive(channel_, numbers_, inboxes_, out_, dropped_);
+  archive(channel_, numbers_, inboxes_, out_until_, cut_until_, dropped_);
   links_.state(archive);
 }
 

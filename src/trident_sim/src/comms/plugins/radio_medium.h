@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <deque>
 #include <map>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "comms/links/radio_links.h"
@@ -22,7 +22,7 @@ struct RadioShade {
 };
 
 /// The radios of a world, found by their ports, and what happens between them.
-class RadioMedium : public Radio {
+class RadioMedium : public Radio, private LinkLosses {
  public:
   /// `world` must outlive it.
   RadioMedium(World& world, const PathLossParams& params, std::vector<RadioShade> shades = {});
@@ -39,14 +39,22 @@ class RadioMedium : public Radio {
   bool send(const std::string& source, const std::string& destination, const std::string& data,
             const RadioQos& qos) override;
   std::vector<RadioMessage> receive(const std::string& name) override;
-  std::vector<RadioLink> links() override;
-  void set_outage(const std::string& name, bool is_out) override;
+  std::vector<RadioLink> links(const std::string& source) override;
+  void set_outage(const std::string& source, const std::string& destination,
+                  SimTime until) override;
   std::string state_text() const override;
 
  private:
+  /// Between two names, the first in alphabetical order first.
+  using Pair = std::pair<std::string, std::string>;
+
   int number(const std::string& name);
+  double loss_db(int a, int b) override;
+  static Pair pair_of(const std::string& a, const std::string& b);
+  bool is_cut(int a, int b) const;
+  void drop_outages_of(const std::string& name);
   void add(const std::shared_ptr<const RadioEnd>& end);
-  void follow_outages(double time_s);
+  void follow_outages(SimTime now);
   bool is_shaded(int station);
   void take_deliveries();
   RadioLink link(int source, int destination);
@@ -57,7 +65,9 @@ class RadioMedium : public Radio {
   RadioChannel channel_;
   std::map<std::string, int> numbers_;  ///< of the radios that are there
   std::map<std::string, std::deque<RadioMessage>> inboxes_;
-  std::set<std::string> out_;  ///< by command
+  std::map<std::string, SimTime> out_until_;  ///< by command
+  std::map<Pair, SimTime> cut_until_;
+  SimTime now_;                ///< of the step's beginning
   std::uint64_t dropped_ = 0;  ///< messages that nobody has asked for in time
   std::uint64_t ports_version_ = ~std::uint64_t{0};
 };

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "trident_sim/radio.h"
+#include "trident_sim/radio_samples.h"
+#include "trident_sim/state_archive.h"
+
+namespace trident::sim {
+
+/// Turns the links of a moment into what is published about them: what was counted, over the time
+/// since the last report.
+class LinkReporter {
+ public:
+  void report(const std::vector<RadioLink>& links, SimTime now, LinkStatusArraySample* sample);
+  void clear() { *this = LinkReporter(); }
+  void state(StateArchive& archive) { archive(last_, last_time_); }
+
+ private:
+  LinkStatusSample status(const RadioLink& link, double elapsed_s) const;
+
+  std::map<std::pair<std::string, std::string>, RadioLink> last_;
+  SimTime last_time_;
+};
+
+}  // namespace trident::sim
