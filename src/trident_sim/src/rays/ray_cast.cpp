@@ -20,12 +20,9 @@ struct Packet {
 
 /// Embree ends the process at a component beyond the root of the largest float.
 bool usable(const Ray& ray) {
-  constexpr double kMaxComponent = 1e18;
-  const auto is_small = [&](const Eigen::Vector3d& v) {
-    return (v.array().abs() <= kMaxComponent).all();  // false for NaN
-  };
-  return is_small(ray.p_world_origin) && is_small(ray.direction_world) &&
-         ray.t_min_m <= ray.t_max_m;
+  constexpr double kMaxSum = 1e18;
+  const double sum = ray.p_world_origin.lpNorm<1>() + ray.direction_world.lpNorm<1>();
+  return sum <= kMaxSum && ray.t_min_m <= ray.t_max_m;  // false for NaN
 }
 
 struct Extent {
