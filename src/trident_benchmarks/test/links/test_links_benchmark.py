@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from trident_benchmarks.__main__ import main
 from trident_benchmarks.links import measure
-from trident_benchmarks.links.picture import draw_goodput
+from trident_benchmarks.links.picture import coast_coverage, draw_goodput
 from trident_benchmarks.results import UNUSABLE
 
 
@@ -31,6 +31,14 @@ def test_the_adaptive_rate_and_its_picture(tmp_path: Path) -> None:
     assert 0.5 < row["share"] < 1.2
     draw_goodput(tmp_path / "goodput.png", [row, row | {"distance_m": 400.0}])
     assert (tmp_path / "goodput.png").stat().st_size > 10_000
+
+
+def test_a_uav_covers_the_harbor_better_than_a_mast() -> None:
+    coverage = coast_coverage(9)
+    mast, uav = coverage["a mast on the shore"], coverage["a UAV at 25 m"]
+    assert mast.shape == (9, 9)
+    assert (uav[:4] > mast[:4]).mean() > 0.9  # the sea in the south
+    assert uav[:4].min() > 10.0
 
 
 def test_a_missing_folder_is_refused_before_anything_is_measured(

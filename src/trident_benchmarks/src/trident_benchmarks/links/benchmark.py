@@ -13,6 +13,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quick", action="store_true", help="shorter runs, 8 distances of 40")
     parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
     parser.add_argument("--picture", type=Path, metavar="FILE.png", help="goodput over distance")
+    parser.add_argument("--coast", type=Path, metavar="FILE.png", help="how radios cover the coast")
 
 
 def run(options: argparse.Namespace) -> int:

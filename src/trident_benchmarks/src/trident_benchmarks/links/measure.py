@@ -7,7 +7,6 @@ from __future__ import annotations
 import argparse
 import time
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any, NamedTuple
 
 from trident_benchmarks.links.radios import circle, goodput, radio_world, saturating
@@ -201,18 +200,22 @@ def measure(options: argparse.Namespace) -> int:
     """All rows; the exit code."""
     check_folder(options.out)
     check_folder(options.picture)
+    check_folder(options.coast)
     document = new_document() | {"rows": []}
     for row in _rows(options.quick):
         document["rows"].append(row)
         print(line(row), flush=True)
         write_document(options.out, document)
-    if options.picture:
-        _draw(options.picture, document["rows"])
+    _draw(options, document["rows"])
     return MEASURED if all(row["passed"] for row in document["rows"]) else FAILED
 
 
-def _draw(path: Path, rows: list[dict[str, Any]]) -> None:
-    from trident_benchmarks.links.picture import draw_goodput
+def _draw(options: argparse.Namespace, rows: list[dict[str, Any]]) -> None:
+    from trident_benchmarks.links.picture import draw_coast, draw_goodput
 
-    draw_goodput(path, [row for row in rows if row["suite"] == "adaptive"])
-    say(f"written: {path}")
+    if options.picture:
+        draw_goodput(options.picture, [row for row in rows if row["suite"] == "adaptive"])
+        say(f"written: {options.picture}")
+    if options.coast:
+        draw_coast(options.coast)
+        say(f"written: {options.coast}")

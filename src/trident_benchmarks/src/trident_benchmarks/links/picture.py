@@ -1,12 +1,28 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Goodput over distance as a picture."""
+"""Pictures: goodput over distance, and how well a coast is covered."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+from trident_eval.ros_paths import package_folder
+
+import trident_sim
+
+_RADIO = """<sdf version="1.6"><model name="radio"><link name="base"><gravity>0</gravity></link>
+<plugin name="radio" filename="libtrident_radio.so"><tx_power>10</tx_power><height>0</height>
+</plugin></model></sdf>"""
+_SENDERS = {
+    "a mast on the shore": (0.0, 60.0, 6.0),
+    "a UAV at 25 m": (10.0, 0.0, 25.0),
+}
+_ANTENNA_M = 1.5  # above ground or water
+_HALF_M = 100.0  # of the picture's sides
 
 
 def draw_goodput(path: Path, rows: Sequence[dict[str, Any]]) -> None:
@@ -37,4 +53,63 @@ def draw_goodput(path: Path, rows: Sequence[dict[str, Any]]) -> None:
     axes.grid(True, which="both", alpha=0.3)
     axes.legend(ncol=2, fontsize=8)
     figure.savefig(path, dpi=120)
+    plt.close(figure)
+
+
+def coast_coverage(cells: int) -> dict[str, npt.NDArray[np.float64]]:
+    """How well a radio 1.5 m above the coast's ground or water hears some senders of 10 dBm.
+
+    Args:
+        cells: along each side of a square of 200 m about the harbor.
+
+    Returns:
+        By sender: signal over noise [dB], shape (cells, cells), rows along y.
+    """
+    file = package_folder("trident_bringup") / "worlds" / "coast.world"
+    air = '<plugin name="air" filename="libtrident_radio_medium.so"/></world>'
+    world = trident_sim.World(file.read_text(encoding="utf-8").replace("</world>", air), seed=1)
+    axis = np.linspace(-_HALF_M, _HALF_M, cells)
+    places = np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2)
+    above = np.column_stack([places, np.full(len(places), 200.0)])
+    down = np.tile([0.0, 0.0, -1.0], (len(places), 1))
+    ground = 200.0 - world.cast_rays(above, down).distance
+    heights = np.maximum(ground, 0.0) + _ANTENNA_M
+    for name, place in _SENDERS.items():
+        world.spawn(name, sdf=_RADIO, pose=place)
+    probe = world.spawn("probe", sdf=_RADIO)
+    snr = {name: np.empty(len(places)) for name in _SENDERS}
+    for i, ((x, y), z) in enumerate(zip(places, heights, strict=True)):
+        probe.set_pose((x, y, z))
+        for link in world.radio.links():
+            if link.destination == "probe":
+                snr[link.source][i] = link.snr
+    return {name: values.reshape(cells, cells) for name, values in snr.items()}
+
+
+def draw_coast(path: Path, cells: int = 120) -> None:
+    """The coast as its senders cover it, side by side.
+
+    Args:
+        path: of the PNG.
+        cells: along each side.
+    """
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot as plt
+
+    coverage = coast_coverage(cells)
+    figure, axes = plt.subplots(
+        1, len(coverage), figsize=(12.0, 5.0), layout="constrained", sharey=True
+    )
+    extent = (-_HALF_M, _HALF_M, -_HALF_M, _HALF_M)
+    for ax, (name, values) in zip(axes, coverage.items(), strict=True):
+        image = ax.imshow(values, origin="lower", extent=extent, vmin=0.0, vmax=50.0)
+        x, y, _ = _SENDERS[name]
+        ax.plot(x, y, "r^", markersize=9)
+        ax.set_title(f"from {name}")
+        ax.set_xlabel("x east [m]")
+    axes[0].set_ylabel("y north [m]")
+    figure.colorbar(image, ax=axes, label="signal over noise 1.5 m above ground or water [dB]")
+    figure.savefig(path, dpi=110)
     plt.close(figure)
