@@ -300,6 +300,18 @@ TEST(RadioPlugins, WhoAsksChangesNothing) {
   EXPECT_EQ(hash(true), hash(false));
 }
 
+TEST(RadioPlugins, AnInboxThatNobodyReadsKeepsTheNewest) {
+  TwoRobots two(10.0, {{"queue_bytes", "1000000"}});
+  for (int i = 0; i < 500; ++i) {
+    two.radio->send("a", "b", std::to_string(i) + " " + std::string(10000, 'x'), {});
+    two.world->step();
+  }
+  const auto messages = two.radio->receive("b");
+  ASSERT_GT(messages.size(), 390u);
+  EXPECT_LT(messages.size(), 400u);  // of 4 MB
+  EXPECT_EQ(messages.back().data.substr(0, 4), "499 ");
+}
+
 TEST(RadioPlugins, ResetAndReplacedRobotsBeginAgain) {
   TwoRobots two(10.0);
   two.radio->send("a", "b", "before", {});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "comms/phy/packet_error.h"
@@ -14,8 +15,9 @@
 namespace trident::sim {
 namespace {
 
-// Messages that wait in an inbox for somebody to ask, at most.
-constexpr std::size_t kMaxWaiting = 10000;
+// What waits in an inbox for somebody to ask, at most.
+constexpr std::size_t kMaxMessages = 10000;
+constexpr std::size_t kMaxInboxBytes = 4000000;
 
 void add_counts(const LinkCounts& counts, RadioLink* link) {
   link->sent = counts.sent;
@@ -136,16 +138,36 @@ void RadioMedium::step(const StepInfo& info) {
   take_deliveries();
 }
 
+std::uint64_t Inbox::add(RadioMessage message) {
+  bytes_ += message.data.size();
+  messages_.push_back(std::move(message));
+  std::uint64_t gone = 0;
+  for (; messages_.size() > kMaxMessages || bytes_ > kMaxInboxBytes; ++gone) {
+    bytes_ -= messages_.front().data.size();
+    messages_.pop_front();
+  }
+  return gone;
+}
+
+std::vector<RadioMessage> Inbox::take(SimTime now) {
+  std::vector<RadioMessage> result;
+  const auto later =
+      std::stable_partition(messages_.begin(), messages_.end(),
+                            [now](const RadioMessage& m) { return m.received <= now; });
+  std::move(messages_.begin(), later, std::back_inserter(result));
+  messages_.erase(messages_.begin(), later);
+  for (const RadioMessage& message : result) bytes_ -= message.data.size();
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.received < b.received; });
+  return result;
+}
+
 void RadioMedium::take_deliveries() {
   for (RadioDelivery& delivery : channel_.take_deliveries()) {
-    auto& inbox = inboxes_[channel_.station(delivery.receiver).name];
-    if (inbox.size() == kMaxWaiting) {
-      inbox.pop_front();
-      ++dropped_;
-    }
-    inbox.push_back({channel_.station(delivery.packet.source).name, *delivery.packet.data,
-                     SimTime{delivery.packet.created_ns}, SimTime{delivery.time_ns},
-                     delivery.snr_db});
+    const RadioPacket& packet = delivery.packet;
+    dropped_ += inboxes_[channel_.station(delivery.receiver).name].add(
+        {channel_.station(packet.source).name, *packet.data, SimTime{packet.created_ns},
+         SimTime{delivery.time_ns}, delivery.snr_db});
   }
 }
 
@@ -181,16 +203,7 @@ bool RadioMedium::send(const std::string& source, const std::string& destination
 
 std::vector<RadioMessage> RadioMedium::receive(const std::string& name) {
   number(name);
-  std::vector<RadioMessage> result;
-  auto& inbox = inboxes_[name];
-  const SimTime now = world_.time();
-  const auto later = std::stable_partition(
-      inbox.begin(), inbox.end(), [now](const RadioMessage& m) { return m.received <= now; });
-  std::move(inbox.begin(), later, std::back_inserter(result));
-  inbox.erase(inbox.begin(), later);
-  std::stable_sort(result.begin(), result.end(),
-                   [](const auto& a, const auto& b) { return a.received < b.received; });
-  return result;
+  return inboxes_[name].take(world_.time());
 }
 
 RadioLink RadioMedium::link(int source, int destination) {

@@ -21,6 +21,19 @@ struct RadioShade {
   double radius_m = 0.0;
 };
 
+/// What a radio has received and nobody has asked for yet; the oldest goes when it is full.
+class Inbox {
+ public:
+  /// Returns how many messages had to go.
+  std::uint64_t add(RadioMessage message);
+  /// Those that have come by then, oldest first.
+  std::vector<RadioMessage> take(SimTime now);
+
+ private:
+  std::deque<RadioMessage> messages_;
+  std::size_t bytes_ = 0;
+};
+
 /// The radios of a world, found by their ports, and what happens between them.
 class RadioMedium : public Radio, private LinkLosses {
  public:
@@ -64,7 +77,7 @@ class RadioMedium : public Radio, private LinkLosses {
   std::vector<RadioShade> shades_;
   RadioChannel channel_;
   std::map<std::string, int> numbers_;  ///< of the radios that are there
-  std::map<std::string, std::deque<RadioMessage>> inboxes_;
+  std::map<std::string, Inbox> inboxes_;
   std::map<std::string, SimTime> out_until_;  ///< by command
   std::map<Pair, SimTime> cut_until_;
   SimTime now_;                ///< of the step's beginning
