@@ -16,10 +16,10 @@ namespace trident::estimation {
 namespace {
 
 constexpr std::size_t kMaxWaiting = 100;
-constexpr double kLookEvery = 0.005;   // while something waits [s]
-constexpr double kLateAfter = 0.5;     // wall time [s]
-constexpr double kForEndOfScan = 0.2;  // wall time waited for the transform of the last beam [s]
-constexpr double kGivenUpAfter = 10.0;
+constexpr double kLookEvery = 0.005;    // while something waits [s]
+constexpr double kLateAfter = 0.5;      // wall time [s]
+constexpr double kForEndOfScan = 0.2;   // wall time waited for the transform of the last beam [s]
+constexpr double kGivenUpAfter = 10.0;  // time of ROS [s]
 
 std::string fixed(double value) {
   char text[64];  // NOLINT: of snprintf
@@ -53,6 +53,11 @@ void fill_scan(const sensor_msgs::LaserScan& message, bool is_upside_down, Laser
 }
 
 }  // namespace
+
+ScanPatience scan_patience(double wall_s, double ros_s) {
+  if (wall_s < kLateAfter) return ScanPatience::kWaits;
+  return ros_s > kGivenUpAfter ? ScanPatience::kIsOver : ScanPatience::kIsNamed;
+}
 
 ScanInput::ScanInput(ros::NodeHandle& node, const ScanInputParams& params,
                      ros_utils::DiagnosticCounter& problems, Handler on_scan,
@@ -115,7 +120,7 @@ void ScanInput::receive(const sensor_msgs::LaserScanConstPtr& message) {
     note_missing(waiting_.front(), "");
     waiting_.pop_front();
   }
-  waiting_.push_back({message, ros::WallTime::now(), false});
+  waiting_.push_back({message, ros::WallTime::now(), ros::Time::now(), false});
   hand_out();
 }
 
@@ -144,8 +149,10 @@ bool ScanInput::try_first() {
       if (is_known) placed.T_start_end = placed.T_odom_base.inverse() * T_odom_base(end);
     }
   } catch (const tf2::TransformException& error) {
-    if (waited < kLateAfter) return false;
-    return !note_missing(waiting, error.what()) || waited > kGivenUpAfter;
+    const double waited_ros = (ros::Time::now() - waiting.since_ros).toSec();
+    const ScanPatience patience = scan_patience(waited, waited_ros);
+    if (patience == ScanPatience::kWaits) return false;
+    return !note_missing(waiting, error.what()) || patience == ScanPatience::kIsOver;
   } catch (const Error& error) {
     problems_.note("transform refused", error.what());
     return true;

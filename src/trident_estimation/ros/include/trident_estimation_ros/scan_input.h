@@ -31,6 +31,17 @@ struct ScanInputParams {
   double bag_loop_jump = 1.0;                ///< [s]
 };
 
+/// What becomes of a scan whose transform is not there.
+enum class ScanPatience {
+  kWaits,    ///< without a word
+  kIsNamed,  ///< what is missing is said, and it waits
+  kIsOver    ///< it is given up
+};
+
+/// After so long: by the wall clock it is named, by the clock of ROS it is given up. A simulated
+/// world that stands until this node has found its place loses no scan, however long it stands.
+ScanPatience scan_patience(double wall_s, double ros_s);
+
 /// Subscribes `scan`, holds each back until tf reaches from the odometry's frame to the robot at
 /// the scan's time, and hands them over in the order in which they came. Says in `problems` which
 /// transform is missing or late, and by how much. A jump of stamps back by more than
@@ -51,7 +62,8 @@ class ScanInput {
   struct Waiting {
     sensor_msgs::LaserScanConstPtr message;
     ros::WallTime since;
-    bool is_reported;  ///< that its transform is missing
+    ros::Time since_ros;  ///< the same by the clock of ROS, which may be simulated
+    bool is_reported;     ///< that its transform is missing
   };
   struct Laser {
     SE2 T_base_laser;
