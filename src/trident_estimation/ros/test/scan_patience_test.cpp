@@ -21,7 +21,7 @@ TEST(ScanPatience, AWorldThatStandsLosesNoScan) {
 }
 
 // Faster than real time a scan is not given up before it could be named.
-TEST(ScanPatience, ACompressedTimeStillWaitsForTransformsOnTheirWay) {
+TEST(ScanPatience, ACompressedTimeStillWaitsForTransformsInTransit) {
   EXPECT_EQ(scan_patience(0.1, 50.0), ScanPatience::kWaits);
 }
 
