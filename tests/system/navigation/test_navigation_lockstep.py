@@ -11,13 +11,15 @@ from typing import Any
 
 import rospy
 import xacro
-from harness import Gazebo, Ros, eventually, fresh_folder, package, pose
+from geometry_msgs.msg import Twist
+from harness import Gazebo, Ros, eventually, fresh_folder, package, pose, recorder
 from move_base_msgs.msg import MoveBaseActionGoal
 
 StartGazebo = Callable[..., Gazebo]
 ROBOT = "turtlebot3_burger"
 START, GOAL = (-2.0, -0.5), (0.55, 0.55)  # between the pillars of turtlebot3_world
 END_S = 30.0
+SETTLED = 60  # answers: two seconds, by which goals are taken
 PARAMETERS = Path(package("turtlebot3_navigation")) / "param"
 # Odometry in the world's frame, so that neither a map nor a localization is needed.
 COSTMAPS = """
@@ -45,7 +47,7 @@ def start_move_base(ros: Ros) -> None:
 
 
 def send_goal() -> None:
-    """Before time begins, so that it is there with the first odometry of each run."""
+    """Before time begins it is there with the first odometry of each run, later by chance."""
     goals = rospy.Publisher("/move_base/goal", MoveBaseActionGoal, queue_size=1, latch=True)
     eventually(lambda: goals.get_num_connections() > 0, "move_base")
     goal = MoveBaseActionGoal()
@@ -56,8 +58,10 @@ def send_goal() -> None:
     goals.publish(goal)
 
 
-def drive(ros: Ros, start_gazebo: StartGazebo, label: str) -> dict[str, Any]:
-    """A drive to the goal, its results."""
+def drive(
+    ros: Ros, start_gazebo: StartGazebo, label: str, *, is_late: bool = False
+) -> dict[str, Any]:
+    """A drive to the goal, its results; late: the goal comes when the world runs already."""
     out_dir = fresh_folder(ros.folder / label)
     urdf = Path(package("turtlebot3_description")) / f"urdf/{ROBOT}.urdf.xacro"
     description = xacro.process_file(str(urdf), mappings={}).toxml()
@@ -66,7 +70,7 @@ def drive(ros: Ros, start_gazebo: StartGazebo, label: str) -> dict[str, Any]:
         str(Path(package("turtlebot3_gazebo")) / "worlds/turtlebot3_world.world"),
         paused=True,
         real_time_factor=0.0,
-        end_time=END_S,
+        end_time=300.0 if is_late else END_S,
         out_dir=out_dir,
         seed=1,
         lockstep_timeout=60.0,
@@ -75,12 +79,26 @@ def drive(ros: Ros, start_gazebo: StartGazebo, label: str) -> dict[str, Any]:
     gazebo.spawn(ROBOT, xml=description, at=pose(*START, 0.0), robot_namespace="/")
     ros.launch(["rosrun", "robot_state_publisher", "robot_state_publisher"])
     start_move_base(ros)
-    send_goal()
-    gazebo.ask("unpause_physics")
+    if is_late:
+        with recorder("/cmd_vel", Twist) as answers:
+            gazebo.ask("unpause_physics")
+            eventually(lambda: len(answers.messages) > SETTLED, "answers without a goal")
+            send_goal()
+    else:
+        send_goal()
+        gazebo.ask("unpause_physics")
     results = gazebo.ended(limit_s=300.0)
     results["states"] = (Path(out_dir) / "states.csv").read_bytes()
     ros.clean()
     return results
+
+
+def test_a_goal_that_comes_by_chance_is_named_in_the_verdict(
+    ros: Ros, start_gazebo: StartGazebo
+) -> None:
+    results = drive(ros, start_gazebo, "late", is_late=True)
+    assert not results["repeatable"]
+    assert any("a goal has come after" in str(note) for note in results["not_repeatable"])
 
 
 def test_a_drive_as_fast_as_possible_repeats_to_the_bit(

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // move_base for a simulator that waits for it.
+#include <std_msgs/String.h>
 #include <tf2/exceptions.h>
 
 #include <chrono>
@@ -78,6 +79,9 @@ void MoveBaseNode::await_transform(double stamp_s) {
 /// What wall time has decided is another thing in each run.
 void MoveBaseNode::note_unrepeatable(const std::string& why) {
   refusals_.note("lockstep", "not repeatable: " + why);
+  std_msgs::String message;
+  message.data = why;
+  links_.not_repeatable.publish(message);
 }
 
 /// The transform that follows from the newest scan, and no newer one, whatever has come.

@@ -5,6 +5,7 @@
 #include <geometry_msgs/Twist.h>
 #include <move_base_msgs/RecoveryStatus.h>
 #include <nav_msgs/Path.h>
+#include <std_msgs/String.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <cmath>
@@ -51,6 +52,9 @@ void MoveBaseNode::serve(ros::NodeHandle& node, ros::NodeHandle private_node) {
   links_.action_goal = node.advertise<move_base_msgs::MoveBaseActionGoal>("move_base/goal", 1);
   links_.recovery =
       node.advertise<move_base_msgs::RecoveryStatus>("move_base/recovery_status", 1, true);
+  if (parts_->params.lockstep) {
+    links_.not_repeatable = node.advertise<std_msgs::String>("/gazebo/not_repeatable", 10);
+  }
   links_.simple_goal = node.subscribe<geometry_msgs::PoseStamped>(
       "move_base_simple/goal", 1,
       [this](const geometry_msgs::PoseStampedConstPtr& message) { on_simple_goal(*message); });

@@ -85,6 +85,7 @@ class MoveBaseNode {
   /// Publishers, subscribers and services.
   struct Links {
     ros::Publisher command, current_goal, action_goal, recovery, global_path, local_path;
+    ros::Publisher not_repeatable;  ///< In lockstep alone: for the simulator's verdict.
     ros::Subscriber simple_goal, odometry;
     ros::ServiceServer make_plan, planner_make_plan, clear_costmaps;
     std::unique_ptr<ControlTopics> control;
