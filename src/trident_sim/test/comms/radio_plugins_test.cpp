@@ -388,6 +388,20 @@ TEST(RadioObstacles, AWallCostsItsPenetrationAndTwoCostTwice) {
   EXPECT_NEAR(scene.loss_db({0, 0, 1}, {30, 0, 1}, {12.0, {{"glass", 3.0}}}), 15.0, 1e-9);
 }
 
+TEST(RadioObstacles, AWallThatTakesThePlaceOfAnotherHasItsOwnLoss) {
+  Scene scene;
+  Obstacles obstacles(*scene.world, {12.0, {{"glass", 3.0}}});
+  const auto loss_db = [&] {
+    rays(*scene.world, RayGeometry::kCollision).refresh();
+    return obstacles.loss_db({{0, 0, 1}, nullptr}, {{30, 0, 1}, nullptr}, kWave_m);
+  };
+  scene.add("wall", {0.2, 40, 40}, {10, 0, 0});
+  EXPECT_NEAR(loss_db(), 12.0, 1e-9);
+  scene.world->remove("wall");
+  scene.add("glass", {0.2, 40, 40}, {10, 0, 0});
+  EXPECT_NEAR(loss_db(), 3.0, 1e-9);
+}
+
 TEST(RadioObstacles, AnEdgeIsAKnifeEdge) {
   for (const double height_m : {0.0, 0.2, 1.0, 3.0}) {
     for (const double place_m : {5.0, 20.0, 60.0}) {

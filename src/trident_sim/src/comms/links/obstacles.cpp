@@ -50,11 +50,7 @@ bool is_ground(const World& world, const RayShape& shape) {
 double Obstacles::loss_db(const End& a, const End& b, double wavelength_m) {
   const Frame frame = frame_of(a, b);
   if (frame.distance_m < 1e-3) return 0.0;
-  const RayScene& scene = rays(world_, RayGeometry::kCollision);
-  if (shapes_of_ != &scene.shapes() || shape_losses_db_.size() != scene.shapes().size()) {
-    shapes_of_ = &scene.shapes();
-    shape_losses_db_.assign(scene.shapes().size(), -1.0);
-  }
+  known_shapes_.resize(rays(world_, RayGeometry::kCollision).shapes().size());
   const Points points = path_points(a, b, frame, wavelength_m);
   Walk paths;
   walk(a, b, points, &paths);
@@ -150,17 +146,20 @@ void Obstacles::walk(const End& from, const End& other, const Points& points, Wa
 }
 
 double Obstacles::shape_loss_db(std::uint32_t shape) {
-  double& known = shape_losses_db_[shape];
-  if (known >= 0.0) return known;
   const RayShape& info = rays(world_, RayGeometry::kCollision).shapes()[shape];
-  known = is_ground(world_, info) ? kOpaque_db : params_.penetration_db;
-  const std::string name = info.model + "::" + info.link + "::" + info.name;
-  for (const auto& [part, loss_db] : params_.materials) {
-    if (name.find(part) == std::string::npos) continue;
-    known = loss_db;
-    break;
+  KnownShape& known = known_shapes_[shape];
+  if (known.name != info.name || known.link != info.link || known.model != info.model) {
+    known = {info.model, info.link, info.name, new_shape_loss_db(info)};
   }
-  return known;
+  return known.loss_db;
+}
+
+double Obstacles::new_shape_loss_db(const RayShape& shape) const {
+  const std::string name = shape.model + "::" + shape.link + "::" + shape.name;
+  for (const auto& [part, loss_db] : params_.materials) {
+    if (name.find(part) != std::string::npos) return loss_db;
+  }
+  return is_ground(world_, shape) ? kOpaque_db : params_.penetration_db;
 }
 
 // The lowest slopes at which a wave leaves an end, up, left and right, without hitting anything; by

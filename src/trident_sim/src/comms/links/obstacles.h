@@ -64,14 +64,19 @@ class Obstacles {
   Points path_points(const End& a, const End& b, const Frame& frame, double wavelength_m) const;
   void walk(const End& from, const End& other, const Points& points, Walk* walk);
   double shape_loss_db(std::uint32_t shape);
+  double new_shape_loss_db(const RayShape& shape) const;
   double around_db(const End& a, const End& b, const Frame& frame, double wavelength_m);
   std::array<double, 3> least_slopes(const End& from, const End& other, const Frame& frame,
                                      double sign);
 
   World& world_;
   ObstacleParams params_;
-  const void* shapes_of_ = nullptr;
-  std::vector<double> shape_losses_db_;  ///< by the scene's shapes; negative: not known yet
+  /// Of a shape of the scene, as long as it has that name.
+  struct KnownShape {
+    std::string model, link, name;
+    double loss_db = 0.0;
+  };
+  std::vector<KnownShape> known_shapes_;  ///< by the scene's shapes
 };
 
 }  // namespace trident::sim
