@@ -38,15 +38,20 @@ std::shared_ptr<Radio> find_radio(const World& world) {
   return port == nullptr ? nullptr : port->value.radio;
 }
 
-RadioMedium::RadioMedium(World& world, const PathLossParams& params, std::vector<RadioShade> shades)
-    : world_(world), links_(world, params), shades_(std::move(shades)), channel_(world.seed()) {}
+RadioMedium::RadioMedium(World& world, const PathLossParams& params,
+                         std::vector<OutageRegion> regions)
+    : world_(world),
+      links_(world, params),
+      outage_regions_(std::move(regions)),
+      channel_(world.seed()) {}
 
-bool RadioMedium::is_shaded(int station) {
-  if (shades_.empty()) return false;
+bool RadioMedium::is_in_outage_region(int station) {
+  if (outage_regions_.empty()) return false;
   const Eigen::Vector2d place = links_.position(station).head<2>();
-  return std::any_of(shades_.begin(), shades_.end(), [&place](const RadioShade& shade) {
-    return (place - shade.center).norm() <= shade.radius_m;
-  });
+  return std::any_of(outage_regions_.begin(), outage_regions_.end(),
+                     [&place](const OutageRegion& region) {
+                       return (place - region.center).norm() <= region.radius_m;
+                     });
 }
 
 void RadioMedium::look() {
@@ -105,7 +110,7 @@ void RadioMedium::follow_outages(SimTime now) {
         });
     const auto commanded = out_until_.find(name);
     const bool is_commanded = commanded != out_until_.end() && now < commanded->second;
-    channel_.set_out(number, is_planned || is_commanded || is_shaded(number));
+    channel_.set_out(number, is_planned || is_commanded || is_in_outage_region(number));
   }
 }
 

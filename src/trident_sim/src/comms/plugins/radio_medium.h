@@ -16,7 +16,7 @@
 namespace trident::sim {
 
 /// Where no radio works: a vertical cylinder.
-struct RadioShade {
+struct OutageRegion {
   Eigen::Vector2d center;  ///< world frame [m]
   double radius_m = 0.0;
 };
@@ -38,7 +38,7 @@ class Inbox {
 class RadioMedium : public Radio, private LinkLosses {
  public:
   /// `world` must outlive it.
-  RadioMedium(World& world, const PathLossParams& params, std::vector<RadioShade> shades = {});
+  RadioMedium(World& world, const PathLossParams& params, std::vector<OutageRegion> regions = {});
 
   /// Radios that have come or gone since.
   void look();
@@ -68,13 +68,13 @@ class RadioMedium : public Radio, private LinkLosses {
   void drop_outages_of(const std::string& name);
   void add(const std::shared_ptr<const RadioEnd>& end);
   void follow_outages(SimTime now);
-  bool is_shaded(int station);
+  bool is_in_outage_region(int station);
   void take_deliveries();
   RadioLink link(int source, int destination);
 
   World& world_;
   RadioLinks links_;
-  std::vector<RadioShade> shades_;
+  std::vector<OutageRegion> outage_regions_;
   RadioChannel channel_;
   std::map<std::string, int> numbers_;  ///< of the radios that are there
   std::map<std::string, Inbox> inboxes_;

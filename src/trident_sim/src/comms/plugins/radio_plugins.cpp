@@ -175,8 +175,8 @@ class RadioPlugin : public Plugin {
   const std::string& name() const { return end_->value.end->name; }
 
   void report_no_air() {
-    if (has_looked_) return;
-    has_looked_ = true;
+    if (has_reported_) return;
+    has_reported_ = true;
     world_.report(Severity::kWarning, owner_ + ": the world has no air for radios, nobody hears '" +
                                           name() +
                                           "'; libtrident_radio_medium.so in the world makes it");
@@ -216,7 +216,7 @@ class RadioPlugin : public Plugin {
 
   World& world_;
   std::string owner_;
-  bool has_looked_ = false;
+  bool has_reported_ = false;
   SampleClock clock_;
   OutHandle<RadioEndSample> end_;
   InHandle<RadioPacketSample> to_send_;
@@ -264,20 +264,20 @@ PathLossParams read_path_loss(const PluginParams& params) {
   return path;
 }
 
-std::vector<RadioShade> read_shades(const PluginParams& params) {
+std::vector<OutageRegion> read_outage_regions(const PluginParams& params) {
   const std::string text = params.text("outage_regions", "");
   const std::vector<std::string> parts = words(text);
   const char* const kExpected = "x, y and radius of each [m], the radius not negative";
   if (parts.size() % 3 != 0) params.refuse("outage_regions", text, kExpected);
-  std::vector<RadioShade> shades;
+  std::vector<OutageRegion> regions;
   for (std::size_t i = 0; i < parts.size(); i += 3) {
     const auto x = number_from_text(parts[i]), y = number_from_text(parts[i + 1]);
     const auto radius = number_from_text(parts[i + 2]);
     const bool is_legal = x && y && radius && std::isfinite(*x + *y + *radius) && *radius >= 0.0;
     if (!is_legal) params.refuse("outage_regions", text, kExpected);
-    shades.push_back({{*x, *y}, *radius});
+    regions.push_back({{*x, *y}, *radius});
   }
-  return shades;
+  return regions;
 }
 
 /// libtrident_radio_medium.so, a world's plugin: the air between the radios (libtrident_radio.so).
@@ -295,7 +295,7 @@ class RadioMediumPlugin : public Plugin {
       throw Error(context.params.owner() + ": the world has air for radios already, legal is one");
     }
     medium_ = std::make_shared<RadioMedium>(context.world, read_path_loss(context.params),
-                                            read_shades(context.params));
+                                            read_outage_regions(context.params));
     radio_ = advertise<RadioSample>(context, kRadioPort, PortRank::kState);
     radio_->value.radio = medium_;
     links_ = advertise<LinkStatusArraySample>(context, "radio/links", PortRank::kState);
