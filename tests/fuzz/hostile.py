@@ -23,7 +23,7 @@ from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
 from tf2_msgs.msg import TFMessage
-from trident.testing import Process, Ros, eventually, logged_problems, recorder
+from trident.testing import LIMIT_S, Process, Ros, eventually, logged_problems, recorder
 from trident.testing.fuzz import Campaign, CampaignOptions, Target
 
 MESSAGES = int(os.environ.get("TRIDENT_FUZZ_MESSAGES", "10000"))
@@ -71,6 +71,12 @@ def started(ros: Ros, node: str, command: list[str], **env: str) -> Process:
 
     eventually(is_known, node)
     return process
+
+
+def service(name: str, kind: Any) -> rospy.ServiceProxy:
+    """A service that is there: a node is known to the master before it serves."""
+    rospy.wait_for_service(name, LIMIT_S)
+    return rospy.ServiceProxy(name, kind)
 
 
 def withstands(
