@@ -61,6 +61,9 @@ class FormationRunner:
         """
         while not rospy.is_shutdown() and self._context.link.wait_for_simulator():
             self._wake.clear()
+            # The shutdown that was just cleared with it: is_shutdown() knows of it only later.
+            if rospy.core.is_shutdown_requested():
+                return
             self._fly_once()
 
     def _fly_once(self) -> None:
