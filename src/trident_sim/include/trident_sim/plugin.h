@@ -65,6 +65,8 @@ class Plugin {
   virtual void post_step(const World& /*world*/, const StepInfo& /*info*/) {}
   /// Back to the state after construction (filters, biases, sample counters).
   virtual void reset() {}
+  /// Of a world's plugin: models came or went, between steps. It may add ports and give them back.
+  virtual void models_changed() {}
   /// The frame of a body of the model has moved in it: the mass of a link was set.
   virtual void body_frames_moved() {}
   /// Saves or restores every member that changes from step to step; a snapshot of the world is only

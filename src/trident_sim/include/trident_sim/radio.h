@@ -12,10 +12,27 @@
 
 namespace trident::sim {
 
+/// Of messages of which only the newest count: one that waits whole is dropped when `depth` newer
+/// ones of its flow are in the queue.
+struct RadioHistory {
+  std::uint32_t flow = 0;     ///< of the source's; each destination of it is apart
+  int depth = 0;              ///< 0: all are kept
+  std::uint64_t message = 0;  ///< number in the flow, ascending
+  bool is_begin = true;       ///< of its message, which may have several parts
+};
+
 /// How a message is to be sent.
 struct RadioQos {
   int priority = 1;         ///< 0 (first) to 3
   double deadline_s = 0.0;  ///< dropped when it has not been sent after this time; 0: never [s]
+  int port = 0;             ///< of the receiver, as of UDP: each is asked for apart
+  RadioHistory history{};   ///< that it is part of
+};
+
+/// What a radio can take.
+struct RadioLimits {
+  std::size_t queue_bytes = 0;   ///< of each priority
+  double broadcast_bit_s = 0.0;  ///< rate of what goes to all
 };
 
 /// What a radio has received.
@@ -66,12 +83,15 @@ class Radio {
   virtual std::vector<std::string> names() = 0;
   /// Gives a message to the source's radio now. False: its queue is full. Throws Error for names
   /// that no radio has, source and destination that are one, and values out of range.
-  virtual bool send(const std::string& source, const std::string& destination,
-                    const std::string& data, const RadioQos& qos) = 0;
-  /// What has come by now and was not asked for before, oldest first. Throws Error as send().
-  virtual std::vector<RadioMessage> receive(const std::string& name) = 0;
+  virtual bool send(const std::string& source, const std::string& destination, std::string data,
+                    const RadioQos& qos) = 0;
+  /// What has come to a port by now and was not asked for before, oldest first. Throws Error as
+  /// send().
+  virtual std::vector<RadioMessage> receive(const std::string& name, int port = 0) = 0;
   /// Every radio to every other one, or those from `source`.
   virtual std::vector<RadioLink> links(const std::string& source = "") = 0;
+  /// Throws Error as send().
+  virtual RadioLimits limits(const std::string& name) = 0;
   /// Until that time a radio neither sends nor hears (destination ""), or hears nothing of another
   /// one, nor that of it; a time that is over ends it. Throws Error as send().
   virtual void set_outage(const std::string& source, const std::string& destination,
@@ -80,14 +100,48 @@ class Radio {
   virtual std::string state_text() const = 0;
 };
 
+/// What became of the messages of a rule from one robot to another, since the world was reset.
+struct RelayCounts {
+  std::uint64_t offered = 0;     ///< that the topic had
+  std::uint64_t thinned = 0;     ///< left out for max_rate
+  std::uint64_t superseded = 0;  ///< of a reliable rule: had to go for newer ones, by depth
+  std::uint64_t expired = 0;     ///< too old, at either end or at both
+  std::uint64_t refused = 0;     ///< larger than the radio's queue, or the queue was full
+  std::uint64_t delivered = 0;   ///< whole, each once
+  std::uint64_t doubles = 0;     ///< datagrams that had arrived before
+  std::uint64_t datagrams = 0;   ///< sent, without acknowledgements
+  std::uint64_t resent = 0;      ///< of these those that were sent before
+  double delay_s = 0.0, max_delay_s = 0.0;  ///< age as it was delivered: sum, greatest
+};
+
+/// A topic that crosses from one robot to another.
+struct RelayFlow {
+  std::string rule;                 ///< "rule 2 (detections)"
+  bool is_reliable = false;         ///< of the rule
+  double deadline_s = 0.0;          ///< of the rule; 0: none
+  std::string source, destination;  ///< robots; "all": as it was sent, what arrived is by robot
+  RelayCounts counts;
+};
+
+/// What crosses between robots by rules (config/links).
+class RelayReport {
+ public:
+  virtual ~RelayReport() = default;
+  /// By rule, source and destination, as far as there was anything.
+  virtual std::vector<RelayFlow> flows() const = 0;
+};
+
 /// How the plugin that makes a world's air for radios hands it on: on the output port kRadioPort,
 /// which is no topic. A world has one.
 struct RadioSample {
-  std::shared_ptr<Radio> radio;  ///< lives as long as its plugin, or its last holder
+  std::shared_ptr<Radio> radio;              ///< lives as long as its plugin, or its last holder
+  std::shared_ptr<const RelayReport> relay;  ///< nullptr: the world has no rules
 };
 constexpr const char* kRadioPort = "world/radio";  ///< name of the port that carries a RadioSample
 
 /// nullptr: the world has none.
 std::shared_ptr<Radio> find_radio(const World& world);
+/// nullptr: nothing crosses by rules.
+std::shared_ptr<const RelayReport> find_relay(const World& world);
 
 }  // namespace trident::sim

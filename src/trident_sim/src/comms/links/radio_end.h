@@ -35,6 +35,7 @@ struct RadioEnd {
   const Model* model = nullptr;
   const Link* link = nullptr;  ///< that it sits on
   SE3 T_link_antenna;
+  double height_m = 0.3;  ///< that is in it, above the place that the antenna is mounted at
   std::vector<RadioOutage> outages;
 
   /// Where it is now, with the axis of the antenna as z.

@@ -154,7 +154,10 @@ void RadioChannel::arrive(std::uint64_t number) {
   const auto packet = arriving_.find(number);
   const int source = packet->second.source;
   const auto priority = static_cast<std::size_t>(packet->second.priority);
-  if (at(source).is_present) at(source).queues[priority].push_back(std::move(packet->second));
+  if (at(source).is_present) {
+    drop_superseded(source, packet->second);
+    at(source).queues[priority].push_back(std::move(packet->second));
+  }
   arriving_.erase(packet);
   // Who finds the channel busy waits for a random time, as do all others that wait for its end.
   RadioStation& station = at(source);
@@ -211,6 +214,32 @@ void RadioChannel::drop_expired(int number) {
     };
     queue.erase(std::remove_if(queue.begin(), queue.end(), is_late), queue.end());
   }
+}
+
+/// A message of which a part has gone already is not dropped: a large one would never arrive.
+void RadioChannel::drop_superseded(int number, const RadioPacket& newest) {
+  const RadioHistory& history = newest.history;
+  const auto depth = static_cast<std::uint64_t>(history.depth);
+  if (depth == 0 || history.message < depth) return;
+  RadioStation& station = at(number);
+  const auto priority = static_cast<std::size_t>(newest.priority);
+  auto& queue = station.queues[priority];
+  const auto is_of_flow = [&newest](const RadioPacket& packet) {
+    return packet.history.depth > 0 && packet.history.flow == newest.history.flow &&
+           packet.destination == newest.destination;
+  };
+  const auto first = std::find_if(queue.begin(), queue.end(), is_of_flow);
+  if (first == queue.end()) return;
+  const bool has_begun = !first->history.is_begin;
+  const std::uint64_t begun = first->history.message;
+  const auto is_superseded = [&](const RadioPacket& packet) {
+    const bool is_old = is_of_flow(packet) && packet.history.message + depth <= history.message;
+    if (!is_old || (has_begun && packet.history.message == begun)) return false;
+    station.queued_bytes[priority] -= packet.bytes();
+    ++flow(number, packet.destination).counts.expired;
+    return true;
+  };
+  queue.erase(std::remove_if(first, queue.end(), is_superseded), queue.end());
 }
 
 // What an attempt has no room for, or was not tried, stays in its queue.

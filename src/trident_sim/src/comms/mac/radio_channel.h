@@ -83,6 +83,7 @@ class RadioChannel {
   void contend(int number);
   void access(int number, LinkLosses& losses);
   void drop_expired(int number);
+  void drop_superseded(int number, const RadioPacket& newest);
   bool prepare(int number);
   Transmission unicast_frame(int number);
   Transmission broadcast_frame(int number);

@@ -8,6 +8,8 @@
 #include <memory>
 #include <string>
 
+#include "trident_sim/radio.h"
+
 namespace trident::sim {
 
 /// What a radio is set to: IEEE 802.11ac with one antenna.
@@ -39,6 +41,8 @@ struct RadioPacket {
   std::int64_t created_ns = 0;              ///< simulated time
   std::int64_t deadline_ns = kNever_ns;     ///< after which it is not worth sending
   std::int64_t processing_ns = 0;           ///< that is left for the receiver's end
+  int port = 0;                             ///< of the receiver
+  RadioHistory history;                     ///< that it is part of
   std::shared_ptr<const std::string> data;  ///< never nullptr
 
   std::size_t bytes() const { return data->size(); }

@@ -18,6 +18,7 @@ namespace {
 // What waits in an inbox for somebody to ask, at most.
 constexpr std::size_t kMaxMessages = 10000;
 constexpr std::size_t kMaxInboxBytes = 4000000;
+constexpr int kMaxRadioPort = 65535;
 
 void add_counts(const LinkCounts& counts, RadioLink* link) {
   link->sent = counts.sent;
@@ -36,6 +37,11 @@ void add_counts(const LinkCounts& counts, RadioLink* link) {
 std::shared_ptr<Radio> find_radio(const World& world) {
   const auto* port = world.ports().find_out<RadioSample>(kRadioPort);
   return port == nullptr ? nullptr : port->value.radio;
+}
+
+std::shared_ptr<const RelayReport> find_relay(const World& world) {
+  const auto* port = world.ports().find_out<RadioSample>(kRadioPort);
+  return port == nullptr ? nullptr : port->value.relay;
 }
 
 RadioMedium::RadioMedium(World& world, const PathLossParams& params,
@@ -64,15 +70,16 @@ void RadioMedium::look() {
   });
   for (auto known = numbers_.begin(); known != numbers_.end();) {
     const auto found = present.find(known->first);
-    const bool is_same =
-        found != present.end() && found->second.get() == &links_.end(known->second);
+    const bool is_same = found != present.end() && found->second == own_[known->second];
     if (is_same) {
       present.erase(found);
       ++known;
       continue;
     }
     channel_.remove(known->second);
-    inboxes_.erase(known->first);
+    own_.erase(known->second);
+    inboxes_.erase(inboxes_.lower_bound({known->first, 0}),
+                   inboxes_.upper_bound({known->first, kMaxRadioPort}));
     drop_outages_of(known->first);
     known = numbers_.erase(known);
   }
@@ -80,9 +87,12 @@ void RadioMedium::look() {
 }
 
 void RadioMedium::add(const std::shared_ptr<const RadioEnd>& end) {
-  const int number = channel_.add(end->name, end->params);
-  links_.set_end(number, end);
-  numbers_[end->name] = number;
+  auto changed = std::make_shared<RadioEnd>(*end);
+  if (override_) override_(changed.get());
+  const int number = channel_.add(changed->name, changed->params);
+  own_[number] = end;
+  numbers_[changed->name] = number;
+  links_.set_end(number, std::move(changed));
 }
 
 int RadioMedium::number(const std::string& name) {
@@ -170,14 +180,15 @@ std::vector<RadioMessage> Inbox::take(SimTime now) {
 void RadioMedium::take_deliveries() {
   for (RadioDelivery& delivery : channel_.take_deliveries()) {
     const RadioPacket& packet = delivery.packet;
-    dropped_ += inboxes_[channel_.station(delivery.receiver).name].add(
-        {channel_.station(packet.source).name, *packet.data, SimTime{packet.created_ns},
-         SimTime{delivery.time_ns}, delivery.snr_db});
+    const std::string& receiver = channel_.station(delivery.receiver).name;
+    dropped_ += inboxes_[{receiver, packet.port}].add({channel_.station(packet.source).name,
+                                                       *packet.data, SimTime{packet.created_ns},
+                                                       SimTime{delivery.time_ns}, delivery.snr_db});
   }
 }
 
-bool RadioMedium::send(const std::string& source, const std::string& destination,
-                       const std::string& data, const RadioQos& qos) {
+bool RadioMedium::send(const std::string& source, const std::string& destination, std::string data,
+                       const RadioQos& qos) {
   RadioPacket packet;
   packet.source = number(source);
   packet.destination = destination == kAll ? kEverybody : number(destination);
@@ -197,18 +208,31 @@ bool RadioMedium::send(const std::string& source, const std::string& destination
     throw Error("radio '" + source + "': deadline is " + number_text(qos.deadline_s) +
                 " s, legal: 0 (none) to " + number_text(kLongest_s));
   }
+  if (qos.port < 0 || qos.port > kMaxRadioPort) {
+    throw Error("radio '" + source + "': port is " + std::to_string(qos.port) + ", legal: 0 to " +
+                std::to_string(kMaxRadioPort));
+  }
+  packet.port = qos.port;
+  packet.history = qos.history;
   packet.priority = qos.priority;
   packet.created_ns = world_.time().ns;
   if (qos.deadline_s > 0.0) {
     packet.deadline_ns = packet.created_ns + SimTime::from_seconds(qos.deadline_s).ns;
   }
-  packet.data = std::make_shared<const std::string>(data);
+  packet.data = std::make_shared<const std::string>(std::move(data));
   return channel_.send(packet);
 }
 
-std::vector<RadioMessage> RadioMedium::receive(const std::string& name) {
+std::vector<RadioMessage> RadioMedium::receive(const std::string& name, int port) {
   number(name);
-  return inboxes_[name].take(world_.time());
+  const auto inbox = inboxes_.find({name, port});
+  if (inbox == inboxes_.end()) return {};
+  return inbox->second.take(world_.time());
+}
+
+RadioLimits RadioMedium::limits(const std::string& name) {
+  const RadioParams& params = links_.end(number(name)).params;
+  return {params.queue_bytes, 1e6 * params.broadcast_mbit_s};
 }
 
 RadioLink RadioMedium::link(int source, int destination) {
@@ -269,6 +293,7 @@ void RadioMedium::reset() {
   channel_ = RadioChannel(world_.seed());
   links_.clear();
   numbers_.clear();
+  own_.clear();
   inboxes_.clear();
   out_until_.clear();
   cut_until_.clear();
@@ -277,7 +302,7 @@ void RadioMedium::reset() {
 }
 
 void RadioMedium::state(StateArchive& archive) {
-  archive(channel_, numbers_, inboxes_, out_until_, cut_until_, dropped_);
+  archive(channel_, numbers_, own_, inboxes_, out_until_, cut_until_, dropped_);
   links_.state(archive);
 }
 

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +42,10 @@ class RadioMedium : public Radio, private LinkLosses {
   /// `world` must outlive it.
   RadioMedium(World& world, const PathLossParams& params, std::vector<OutageRegion> regions = {});
 
+  /// Changes what radios say of themselves, for all that come.
+  using Override = std::function<void(RadioEnd*)>;
+  void set_override(Override change) { override_ = std::move(change); }
+
   /// Radios that have come or gone since.
   void look();
   /// Lets happen what happens in a step, whose state at its end is the world's.
@@ -49,9 +55,10 @@ class RadioMedium : public Radio, private LinkLosses {
   void state(StateArchive& archive);
 
   std::vector<std::string> names() override;
-  bool send(const std::string& source, const std::string& destination, const std::string& data,
+  bool send(const std::string& source, const std::string& destination, std::string data,
             const RadioQos& qos) override;
-  std::vector<RadioMessage> receive(const std::string& name) override;
+  std::vector<RadioMessage> receive(const std::string& name, int port) override;
+  RadioLimits limits(const std::string& name) override;
   std::vector<RadioLink> links(const std::string& source) override;
   void set_outage(const std::string& source, const std::string& destination,
                   SimTime until) override;
@@ -75,10 +82,12 @@ class RadioMedium : public Radio, private LinkLosses {
   World& world_;
   RadioLinks links_;
   std::vector<OutageRegion> outage_regions_;
+  Override override_;
+  std::map<int, std::shared_ptr<const RadioEnd>> own_;  ///< as the radio's plugin has it
   RadioChannel channel_;
-  std::map<std::string, int> numbers_;  ///< of the radios that are there
-  std::map<std::string, Inbox> inboxes_;
-  std::map<std::string, SimTime> out_until_;  ///< by command
+  std::map<std::string, int> numbers_;                    ///< of the radios that are there
+  std::map<std::pair<std::string, int>, Inbox> inboxes_;  ///< by radio and port
+  std::map<std::string, SimTime> out_until_;              ///< by command
   std::map<Pair, SimTime> cut_until_;
   SimTime now_;                ///< of the step's beginning
   std::uint64_t dropped_ = 0;  ///< messages that nobody has asked for in time

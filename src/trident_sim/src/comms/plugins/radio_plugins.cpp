@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -12,6 +13,8 @@
 #include "comms/plugins/link_reporter.h"
 #include "comms/plugins/radio_medium.h"
 #include "comms/plugins/radio_packet_code.h"
+#include "comms/plugins/relay_ports.h"
+#include "comms/relay/relay_rules.h"
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/report_throttle.h"
 #include "core/plugins/sample_clock.h"
@@ -24,9 +27,11 @@ namespace {
 
 /// One of a few words. Throws Error.
 template <class Choice>
-Choice choice(const PluginParams& params, const std::string& key,
+Choice choice(const PluginParams& params, const std::string& key, Choice fallback,
               const std::vector<std::pair<std::string, Choice>>& known) {
-  const std::string text = params.text(key, known.front().first);
+  const auto usual = std::find_if(known.begin(), known.end(),
+                                  [fallback](const auto& k) { return k.second == fallback; });
+  const std::string text = params.text(key, usual->first);
   std::vector<std::string> names;
   for (const auto& [name, value] : known) {
     if (name == text) return value;
@@ -43,8 +48,9 @@ std::vector<std::string> words(const std::string& text) {
 }
 
 /// Adaptive, or a number that is a mode at this width.
-int read_rate(const PluginParams& params, int width_mhz) {
-  const std::string text = params.text("rate", "adaptive");
+int read_rate(const PluginParams& params, int fallback, int width_mhz) {
+  const std::string text =
+      params.text("rate", fallback < 0 ? "adaptive" : std::to_string(fallback));
   if (text == "adaptive") return -1;
   const auto mcs = number_from_text(text);
   const bool is_whole = mcs && *mcs == static_cast<int>(*mcs);
@@ -55,24 +61,40 @@ int read_rate(const PluginParams& params, int width_mhz) {
   return static_cast<int>(*mcs);
 }
 
-RadioParams read_radio(const PluginParams& params) {
-  RadioParams radio;
+/// What is not among the elements stays.
+void read_radio(const PluginParams& params, RadioParams* radio) {
   params.text("standard", "802.11ac");
-  radio.channel = params.integer("channel", radio.channel, {36, 177});
-  radio.width_mhz = choice<int>(params, "width", {{"20", 20}, {"40", 40}, {"80", 80}});
-  radio.tx_power_dbm = params.number("tx_power", radio.tx_power_dbm, {-30, 40});
-  radio.noise_figure_db = params.number("noise_figure", radio.noise_figure_db, {0, 30});
-  radio.carrier_sense_dbm = params.number("carrier_sense", radio.carrier_sense_dbm, {-100, -30});
-  radio.mcs = read_rate(params, radio.width_mhz);
-  radio.has_short_guard = choice<bool>(params, "guard", {{"long", false}, {"short", true}});
-  radio.max_ampdu_bytes =
-      static_cast<std::size_t>(params.integer("max_ampdu", 65535, {0, 1048575}));
-  radio.broadcast_mbit_s =
-      choice<int>(params, "broadcast_rate", {{"6", 6}, {"12", 12}, {"24", 24}});
-  radio.tries = params.integer("tries", radio.tries, {1, 255});
-  radio.queue_bytes = static_cast<std::size_t>(params.integer("queue_bytes", 1000000, {2000, 1e9}));
-  radio.processing_ns = SimTime::from_seconds(params.number("processing", 0.0002, {0.0, 1.0})).ns;
-  return radio;
+  radio->channel = params.integer("channel", radio->channel, {36, 177});
+  radio->width_mhz =
+      choice(params, "width", radio->width_mhz, {{"20", 20}, {"40", 40}, {"80", 80}});
+  radio->tx_power_dbm = params.number("tx_power", radio->tx_power_dbm, {-30, 40});
+  radio->noise_figure_db = params.number("noise_figure", radio->noise_figure_db, {0, 30});
+  radio->carrier_sense_dbm = params.number("carrier_sense", radio->carrier_sense_dbm, {-100, -30});
+  radio->mcs = read_rate(params, radio->mcs, radio->width_mhz);
+  radio->has_short_guard =
+      choice(params, "guard", radio->has_short_guard, {{"long", false}, {"short", true}});
+  radio->max_ampdu_bytes = static_cast<std::size_t>(
+      params.integer("max_ampdu", static_cast<int>(radio->max_ampdu_bytes), {0, 1048575}));
+  radio->broadcast_mbit_s =
+      choice(params, "broadcast_rate", radio->broadcast_mbit_s, {{"6", 6}, {"12", 12}, {"24", 24}});
+  radio->tries = params.integer("tries", radio->tries, {1, 255});
+  radio->queue_bytes = static_cast<std::size_t>(
+      params.integer("queue_bytes", static_cast<int>(radio->queue_bytes), {2000, 1e9}));
+  const double processing_s = 1e-9 * static_cast<double>(radio->processing_ns);
+  radio->processing_ns =
+      SimTime::from_seconds(params.number("processing", processing_s, {0.0, 1.0})).ns;
+}
+
+/// What is not among the elements stays.
+void read_end(const PluginParams& params, RadioEnd* end) {
+  read_radio(params, &end->params);
+  end->pattern =
+      choice(params, "antenna", end->pattern,
+             {{"isotropic", AntennaPattern::kIsotropic}, {"dipole", AntennaPattern::kDipole}});
+  end->gain_dbi = params.number("gain", end->gain_dbi, {-30, 40});
+  const double before_m = end->height_m;
+  end->height_m = params.number("height", before_m, {-10, 100});
+  end->T_link_antenna.p.z() += end->height_m - before_m;
 }
 
 /// The robot's namespace without outer slashes; of one without a namespace the model's name.
@@ -113,15 +135,11 @@ class RadioPlugin : public Plugin {
     const PluginParams& params = context.params;
     auto end = std::make_shared<RadioEnd>();
     end->name = name_of(params, context.model->name);
-    end->params = read_radio(params);
-    end->pattern = choice<AntennaPattern>(
-        params, "antenna",
-        {{"isotropic", AntennaPattern::kIsotropic}, {"dipole", AntennaPattern::kDipole}});
-    end->gain_dbi = params.number("gain", end->gain_dbi, {-30, 40});
     end->model = context.model;
     end->link = &find_link(context);
     end->T_link_antenna.p = params.vector3("xyzOffset", Eigen::Vector3d::Zero());
-    end->T_link_antenna.p.z() += params.number("height", 0.3, {-10, 100});
+    end->T_link_antenna.p.z() += end->height_m;
+    read_end(params, end.get());
     end->outages = read_outages(params);
     if (end->name == Radio::kAll) params.refuse("robotNamespace", end->name, "another name");
     end_ = advertise<RadioEndSample>(context, end->name + "/radio", PortRank::kState);
@@ -227,57 +245,86 @@ class RadioPlugin : public Plugin {
   ReportThrottle refused_;
 };
 
-ObstacleParams read_obstacles(const PluginParams& params) {
-  ObstacleParams obstacles;
-  obstacles.penetration_db = params.number("penetration_db", obstacles.penetration_db, {0, 200});
+void read_obstacles(const PluginParams& params, ObstacleParams* obstacles) {
+  obstacles->penetration_db = params.number("penetration_db", obstacles->penetration_db, {0, 200});
   const std::string text = params.text("materials", "");
+  if (!params.has("materials")) return;
   const std::vector<std::string> parts = words(text);
   const char* const kExpected = "pairs of a part of a collision's name and a loss, 0 to 200 [dB]";
   if (parts.size() % 2 != 0) params.refuse("materials", text, kExpected);
+  obstacles->materials.clear();
   for (std::size_t i = 0; i < parts.size(); i += 2) {
     const auto loss_db = number_from_text(parts[i + 1]);
     if (!loss_db || !(*loss_db >= 0.0 && *loss_db <= 200.0)) {
       params.refuse("materials", text, kExpected);
     }
-    obstacles.materials.emplace_back(parts[i], *loss_db);
+    obstacles->materials.emplace_back(parts[i], *loss_db);
   }
-  return obstacles;
 }
 
-PathLossParams read_path_loss(const PluginParams& params) {
-  PathLossParams path;
-  path.model = choice<PathModel>(params, "path",
-                                 {{"two_ray", PathModel::kTwoRay},
-                                  {"log_distance", PathModel::kLogDistance},
-                                  {"free_space", PathModel::kFreeSpace}});
-  path.exponent = params.number("exponent", path.exponent, {1, 6});
-  path.shadowing.stddev_db = params.number("shadowing_sigma", path.shadowing.stddev_db, {0, 20});
-  path.shadowing.decorrelation_m =
-      params.number("decorrelation_distance", path.shadowing.decorrelation_m, {1, 1000});
-  path.obstacles = read_obstacles(params);
-  path.polarization = choice<Polarization>(
-      params, "polarization",
-      {{"vertical", Polarization::kVertical}, {"horizontal", Polarization::kHorizontal}});
-  path.water.relative_permittivity =
-      params.number("permittivity", path.water.relative_permittivity, {1, 100});
-  path.water.conductivity_s_m = params.number("conductivity", path.water.conductivity_s_m, {0, 10});
-  return path;
+/// What is not among the elements stays.
+void read_path_loss(const PluginParams& params, PathLossParams* path) {
+  path->model = choice(params, "path", path->model,
+                       {{"two_ray", PathModel::kTwoRay},
+                        {"log_distance", PathModel::kLogDistance},
+                        {"free_space", PathModel::kFreeSpace}});
+  path->exponent = params.number("exponent", path->exponent, {1, 6});
+  path->shadowing.stddev_db = params.number("shadowing_sigma", path->shadowing.stddev_db, {0, 20});
+  path->shadowing.decorrelation_m =
+      params.number("decorrelation_distance", path->shadowing.decorrelation_m, {1, 1000});
+  read_obstacles(params, &path->obstacles);
+  path->polarization =
+      choice(params, "polarization", path->polarization,
+             {{"vertical", Polarization::kVertical}, {"horizontal", Polarization::kHorizontal}});
+  path->water.relative_permittivity =
+      params.number("permittivity", path->water.relative_permittivity, {1, 100});
+  path->water.conductivity_s_m =
+      params.number("conductivity", path->water.conductivity_s_m, {0, 10});
 }
 
-std::vector<OutageRegion> read_outage_regions(const PluginParams& params) {
+void read_outage_regions(const PluginParams& params, std::vector<OutageRegion>* regions) {
   const std::string text = params.text("outage_regions", "");
+  if (!params.has("outage_regions")) return;
   const std::vector<std::string> parts = words(text);
   const char* const kExpected = "x, y and radius of each [m], the radius not negative";
   if (parts.size() % 3 != 0) params.refuse("outage_regions", text, kExpected);
-  std::vector<OutageRegion> regions;
+  regions->clear();
   for (std::size_t i = 0; i < parts.size(); i += 3) {
     const auto x = number_from_text(parts[i]), y = number_from_text(parts[i + 1]);
     const auto radius = number_from_text(parts[i + 2]);
     const bool is_legal = x && y && radius && std::isfinite(*x + *y + *radius) && *radius >= 0.0;
     if (!is_legal) params.refuse("outage_regions", text, kExpected);
-    regions.push_back({{*x, *y}, *radius});
+    regions->push_back({{*x, *y}, *radius});
   }
-  return regions;
+}
+
+/// What the elements of a medium say.
+struct Air {
+  PathLossParams path;
+  std::vector<OutageRegion> outage_regions;
+  double status_rate_hz = 2.0;
+};
+
+/// What is not among the elements stays.
+void read_air(const PluginParams& params, Air* air) {
+  read_path_loss(params, &air->path);
+  read_outage_regions(params, &air->outage_regions);
+  air->status_rate_hz = params.number("status_rate", air->status_rate_hz, {0.01, 1000.0});
+}
+
+ParamNode elements(const std::map<std::string, std::string>& texts) {
+  ParamNode node;
+  for (const auto& [name, text] : texts) node.children.push_back({name, text, {}, {}});
+  return node;
+}
+
+/// Throws Error for a key of a file that no element has.
+void refuse_unread(const PluginParams& params) {
+  const std::vector<std::string> unread = params.unread();
+  if (unread.empty()) return;
+  std::vector<std::string> known;
+  for (const auto& [name, query] : params.queries()) known.push_back(name);
+  throw Error(params.owner() + ": " + unknown_name_text(unread.front(), known));
 }
 
 /// libtrident_radio_medium.so, a world's plugin: the air between the radios (libtrident_radio.so).
@@ -285,41 +332,88 @@ std::vector<OutageRegion> read_outage_regions(const PluginParams& params) {
 /// with <exponent>; free_space. <shadowing_sigma> [dB] over <decorrelation_distance> [m].
 /// <penetration_db> for each shape in the path, or by <materials>, and diffraction around it. In
 /// <outage_regions>, circles, no radio works. All links on radio/links at <status_rate> [Hz].
+/// <rules>, a file of config/links, says which topics cross, and what of the above and of the
+/// radios is otherwise.
 class RadioMediumPlugin : public Plugin {
  public:
-  explicit RadioMediumPlugin(const PluginContext& context) : clock_(read_status_rate(context)) {
+  explicit RadioMediumPlugin(const PluginContext& context) {
+    World& world = context.world;
     if (context.model != nullptr) {
       throw Error(context.params.owner() + ": is of a model, legal: of a world");
     }
-    if (context.world.ports().find(kRadioPort, PortDirection::kOut) != nullptr) {
+    if (world.ports().find(kRadioPort, PortDirection::kOut) != nullptr) {
       throw Error(context.params.owner() + ": the world has air for radios already, legal is one");
     }
-    medium_ = std::make_shared<RadioMedium>(context.world, read_path_loss(context.params),
-                                            read_outage_regions(context.params));
+    Air air;
+    read_air(context.params, &air);
+    const RelayFile file = read_rules(context);
+    const ParamNode model = elements(file.model);
+    const PluginParams of_file(model, rules_file_ + ": model");
+    read_air(of_file, &air);
+    refuse_unread(of_file);
+    clock_ = SampleClock(air.status_rate_hz);
+    medium_ = std::make_shared<RadioMedium>(world, air.path, air.outage_regions);
+    override_radios(file);
     radio_ = advertise<RadioSample>(context, kRadioPort, PortRank::kState);
     radio_->value.radio = medium_;
     links_ = advertise<LinkStatusArraySample>(context, "radio/links", PortRank::kState);
+    if (file.rules.empty()) return;
+    relay_ = std::make_shared<RelayPorts>(world, file.rules, rules_file_);
+    radio_->value.relay = relay_;
   }
 
-  std::vector<Phase> phases() const override { return {Phase::kPost}; }
+  std::vector<Phase> phases() const override { return {Phase::kSense, Phase::kPost}; }
+  void models_changed() override {
+    if (relay_ != nullptr) relay_->set_robots(medium_->names());
+  }
+  void pre_step(Phase, World&, const StepInfo& info) override {
+    if (relay_ != nullptr) relay_->send(info.begin, *medium_);
+  }
   void post_step(const World&, const StepInfo& info) override {
     medium_->step(info);
+    if (relay_ != nullptr) relay_->receive(info.end, *medium_);
     if (!clock_.is_due(info) || !links_->wanted()) return;
     reporter_.report(medium_->links(""), info.end, &links_->value);
     links_->publish();
   }
   void reset() override {
     medium_->reset();
+    if (relay_ != nullptr) relay_->reset();
     reporter_.clear();
   }
   void state(StateArchive& archive) override {
     medium_->state(archive);
+    if (relay_ != nullptr) relay_->state(archive);
     reporter_.state(archive);
   }
 
  private:
-  SampleClock clock_;
+  RelayFile read_rules(const PluginContext& context) {
+    const std::string file = context.params.text("rules", "");
+    if (file.empty()) return {};
+    rules_file_ = context.world.resources().find(file);
+    if (rules_file_.empty()) context.params.refuse("rules", file, "an existing file");
+    return load_relay_file(rules_file_);
+  }
+
+  void override_radios(const RelayFile& file) {
+    if (file.radio.empty()) return;
+    const auto node = std::make_shared<ParamNode>(elements(file.radio));
+    const std::string owner = rules_file_ + ": radio";
+    const auto change = [node, owner](RadioEnd* end) {
+      const PluginParams params(*node, owner);
+      read_end(params, end);
+      refuse_unread(params);
+    };
+    RadioEnd probe;
+    change(&probe);
+    medium_->set_override(change);
+  }
+
+  std::string rules_file_;
+  SampleClock clock_{0.0};
   std::shared_ptr<RadioMedium> medium_;
+  std::shared_ptr<RelayPorts> relay_;  ///< nullptr: nothing crosses by rules
   OutHandle<RadioSample> radio_;
   OutHandle<LinkStatusArraySample> links_;
   LinkReporter reporter_;

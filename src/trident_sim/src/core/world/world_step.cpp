@@ -53,6 +53,7 @@ void World::rebuild_schedule() {
     for (const auto& plugin : model->plugins) add(plugin.get());
   }
   engine_->set_models(models);
+  for (const auto& plugin : world_plugins_) plugin->models_changed();
 }
 
 void World::run_phase(Phase phase, const StepInfo& info) {

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "comms/plugins/relay_ports.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "trident_base/string_util.h"
+
+namespace trident::sim {
+namespace {
+
+// A rule of which nothing was heard by then is a mistake, most likely.
+constexpr SimTime kIdle{5'000'000'000};
+// A stamp further ahead than this is not of simulated time.
+constexpr SimTime kFarAhead{10'000'000'000};
+
+}  // namespace
+
+RelayPorts::RelayPorts(World& world, std::vector<RelayRule> rules, std::string file)
+    : world_(world),
+      file_(std::move(file)),
+      relay_(std::move(rules), [this](const std::string& text) { report(text); }) {}
+
+void RelayPorts::report(const std::string& text) {
+  world_.report(Severity::kWarning, file_ + ": " + text);
+}
+
+void RelayPorts::add_inputs(const std::vector<std::string>& robots) {
+  const std::vector<RelayRule>& rules = relay_.rules();
+  for (const std::string& robot : robots) {
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+      if (!rules[i].is_from(robot)) continue;
+      const std::string name = robot + "/" + rules[i].topic;
+      Input& input = inputs_[name];
+      if (!input.port) {
+        PortBoard& board = world_.ports();
+        input.port = {board, board.subscribe<BytesSample>(name)};
+        input.seen = input.port->count();
+        input.robot = robot;
+      }
+      input.rules.push_back(i);
+    }
+  }
+}
+
+void RelayPorts::add_outputs(const std::vector<std::string>& robots) {
+  for (const auto& [name, input] : inputs_) {
+    for (const std::size_t rule : input.rules) {
+      for (const std::string& receiver : robots) {
+        if (receiver == input.robot || !relay_.rules()[rule].is_to(receiver)) continue;
+        OutHandle<BytesSample>& output = outputs_[{rule, input.robot, receiver}];
+        if (output) continue;
+        PortBoard& board = world_.ports();
+        const std::string topic = join({receiver, "from", name}, "/");
+        output = {board, board.advertise<BytesSample>(topic, PortRank::kSensor)};
+        output->value.origin = name;
+      }
+    }
+  }
+}
+
+void RelayPorts::set_robots(const std::vector<std::string>& robots) {
+  if (robots == robots_) return;
+  robots_ = robots;
+  relay_.set_robots(robots);
+  const auto is_gone = [&robots](const std::string& name) {
+    return !std::binary_search(robots.begin(), robots.end(), name);
+  };
+  for (auto output = outputs_.begin(); output != outputs_.end();) {
+    const auto& [rule, source, receiver] = output->first;
+    output = is_gone(source) || is_gone(receiver) ? outputs_.erase(output) : std::next(output);
+  }
+  for (auto input = inputs_.begin(); input != inputs_.end();) {
+    input->second.rules.clear();
+    input = is_gone(input->second.robot) ? inputs_.erase(input) : std::next(input);
+  }
+  add_inputs(robots);
+  add_outputs(robots);
+}
+
+void RelayPorts::offer(std::size_t rule, const std::string& robot, const BytesSample& sample,
+                       SimTime now, Radio& radio) {
+  const SimTime born = sample.stamp.ns > 0 ? std::min(sample.stamp, now) : now;
+  relay_.offer(rule, robot, {born, sample.data}, now, radio);
+}
+
+void RelayPorts::read(Input& input, SimTime now, Radio& radio) {
+  const std::uint64_t kept = std::max(input.port->oldest(), input.seen);
+  if (kept > input.seen && !std::exchange(input.has_reported_loss, true)) {
+    report(input.port->name() + ": " + std::to_string(kept - input.seen) +
+           " messages came in one step too many, legal: at most " +
+           std::to_string(InPort<BytesSample>::kDepth));
+  }
+  for (input.seen = kept; input.seen < input.port->count(); ++input.seen) {
+    const BytesSample& sample = input.port->at(input.seen);
+    const bool is_far = sample.stamp - now > kFarAhead;
+    if (is_far && !std::exchange(input.has_reported_stamp, true)) {
+      report(input.port->name() + ": a stamp is " + number_text((sample.stamp - now).seconds()) +
+             " s ahead of the simulated time, legal: at most " + number_text(kFarAhead.seconds()) +
+             "; its messages count as they come, so that a run with them does not repeat");
+    }
+    for (const std::size_t rule : input.rules) {
+      if (sample.stamp <= now || is_far) {
+        offer(rule, input.robot, sample, now, radio);
+      } else {
+        later_.push_back({rule, input.robot, sample});
+      }
+    }
+  }
+}
+
+void RelayPorts::offer_due(SimTime now, Radio& radio) {
+  if (later_.empty()) return;
+  const auto rest = std::stable_partition(later_.begin(), later_.end(), [now](const Later& later) {
+    return later.sample.stamp <= now;
+  });
+  std::vector<Later> due(std::make_move_iterator(later_.begin()), std::make_move_iterator(rest));
+  later_.erase(later_.begin(), rest);
+  std::stable_sort(due.begin(), due.end(),
+                   [](const Later& a, const Later& b) { return a.sample.stamp < b.sample.stamp; });
+  for (const Later& later : due) offer(later.rule, later.robot, later.sample, now, radio);
+}
+
+void RelayPorts::send(SimTime begin, Radio& radio) {
+  offer_due(begin, radio);
+  for (auto& [name, input] : inputs_) read(input, begin, radio);
+  relay_.send(begin, radio);
+}
+
+void RelayPorts::publish(const RelayDelivery& delivery) {
+  const auto output = outputs_.find({delivery.rule, delivery.source, delivery.destination});
+  if (output == outputs_.end()) return;
+  OutPort<BytesSample>* const port = output->second.get();
+  if (std::find(fresh_.begin(), fresh_.end(), port) == fresh_.end()) {
+    fresh_.push_back(port);
+    port->clear_buffered();
+  } else {
+    port->buffer_sample();
+  }
+  port->value.stamp = delivery.message.born;
+  port->value.data = delivery.message.data;
+}
+
+void RelayPorts::receive(SimTime end, Radio& radio) {
+  fresh_.clear();
+  for (const RelayDelivery& delivery : relay_.receive(radio)) publish(delivery);
+  for (OutPort<BytesSample>* port : fresh_) port->publish();
+  if (!has_looked_for_idle_ && end >= kIdle) report_idle_rules();
+}
+
+std::vector<std::string> RelayPorts::missing_radios(const RelayRule& rule) const {
+  std::vector<std::string> names = rule.from, missing;
+  names.insert(names.end(), rule.to.begin(), rule.to.end());
+  std::copy_if(names.begin(), names.end(), std::back_inserter(missing), [this](const auto& name) {
+    return name != Radio::kAll && !std::binary_search(robots_.begin(), robots_.end(), name);
+  });
+  return missing;
+}
+
+bool RelayPorts::has_heard(std::size_t rule) const {
+  return std::any_of(inputs_.begin(), inputs_.end(), [rule](const auto& entry) {
+    const std::vector<std::size_t>& own = entry.second.rules;
+    return entry.second.seen > 0 && std::find(own.begin(), own.end(), rule) != own.end();
+  });
+}
+
+void RelayPorts::report_idle_rules() {
+  has_looked_for_idle_ = true;
+  const std::string after = " after " + number_text(kIdle.seconds()) + " s";
+  for (std::size_t i = 0; i < relay_.rules().size(); ++i) {
+    const RelayRule& rule = relay_.rules()[i];
+    const std::vector<std::string> missing = missing_radios(rule);
+    if (!missing.empty()) {
+      report(rule.text(i) + ": there is no radio '" + join(missing, "', '") + "'" + after +
+             ", radios: " + join(robots_));
+    } else if (!has_heard(i)) {
+      report(rule.text(i) + ": no robot of " + join(rule.from) + " has sent a message on its " +
+             rule.topic + after);
+    }
+  }
+}
+
+void RelayPorts::reset() {
+  relay_.reset();
+  later_.clear();
+  has_looked_for_idle_ = false;
+  for (auto& [name, input] : inputs_) {
+    input.port->clear();
+    input.seen = 0;
+  }
+}
+
+void RelayPorts::state(StateArchive& archive) {
+  archive(relay_, later_, has_looked_for_idle_);
+  for (auto& [name, input] : inputs_) archive(input.seen);
+}
+
+std::vector<RelayFlow> RelayPorts::flows() const {
+  std::vector<RelayFlow> result;
+  for (const auto& [key, counts] : relay_.counts()) {
+    const RelayRule& rule = relay_.rules()[key.rule];
+    result.push_back({rule.text(key.rule), rule.is_reliable(), rule.deadline_s, key.source,
+                      key.destination, counts});
+  }
+  return result;
+}
+
+}  // namespace trident::sim

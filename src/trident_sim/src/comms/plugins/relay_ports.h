@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "comms/relay/relay.h"
+#include "trident_sim/bytes_sample.h"
+#include "trident_sim/state_archive.h"
+#include "trident_sim/world.h"
+
+namespace trident::sim {
+
+/// The topics of a relay: topic T of robot A is an input A/T, and what robot B hears of it an
+/// output B/from/A/T, both of bytes.
+class RelayPorts : public RelayReport {
+ public:
+  /// `world` must outlive it; `file` names the rules in reports.
+  RelayPorts(World& world, std::vector<RelayRule> rules, std::string file);
+
+  /// Radios that are there now: ports follow.
+  void set_robots(const std::vector<std::string>& robots);
+  /// Gives the radios what the topics have had by the beginning of a step.
+  void send(SimTime begin, Radio& radio);
+  /// Publishes what they have received by its end.
+  void receive(SimTime end, Radio& radio);
+  void reset();
+  void state(StateArchive& archive);
+
+  std::vector<RelayFlow> flows() const override;
+
+ private:
+  struct Input {
+    InHandle<BytesSample> port;
+    std::uint64_t seen = 0;
+    std::vector<std::size_t> rules;
+    std::string robot;
+    bool has_reported_stamp = false, has_reported_loss = false;
+  };
+  /// A message whose stamp is still to come.
+  struct Later {
+    std::size_t rule;
+    std::string robot;
+    BytesSample sample;
+  };
+  using OutputKey = std::tuple<std::size_t, std::string, std::string>;  ///< rule, source, receiver
+
+  void report(const std::string& text);
+  void add_inputs(const std::vector<std::string>& robots);
+  void add_outputs(const std::vector<std::string>& robots);
+  void read(Input& input, SimTime now, Radio& radio);
+  void offer(std::size_t rule, const std::string& robot, const BytesSample& sample, SimTime now,
+             Radio& radio);
+  void offer_due(SimTime now, Radio& radio);
+  void publish(const RelayDelivery& delivery);
+  std::vector<std::string> missing_radios(const RelayRule& rule) const;
+  bool has_heard(std::size_t rule) const;
+  void report_idle_rules();
+
+  World& world_;
+  std::string file_;
+  std::vector<std::string> robots_;
+  std::map<std::string, Input> inputs_;  ///< by port
+  std::map<OutputKey, OutHandle<BytesSample>> outputs_;
+  std::vector<OutPort<BytesSample>*> fresh_;  ///< outputs with a message of this step
+  // What changes from step to step.
+  Relay relay_;
+  std::vector<Later> later_;  ///< by arrival
+  bool has_looked_for_idle_ = false;
+};
+
+}  // namespace trident::sim

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "comms/relay/relay.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "trident_base/string_util.h"
+
+namespace trident::sim {
+namespace {
+
+constexpr SimTime kSecond{1'000'000'000};
+
+/// What is left of a message's time [s]; 0: it has no end; negative: it is over.
+double time_left_s(const RelayRule& rule, const RelayMessage& message, SimTime now) {
+  if (rule.deadline_s <= 0.0) return 0.0;
+  const double left_s = rule.deadline_s - (now - message.born).seconds();
+  return left_s > 0.0 ? left_s : -1.0;
+}
+
+template <class Flows>
+void drop_flows_of_others(const std::vector<std::string>& robots, Flows* flows) {
+  const auto is_there = [&robots](const std::string& name) {
+    return name == Radio::kAll || std::binary_search(robots.begin(), robots.end(), name);
+  };
+  for (auto flow = flows->begin(); flow != flows->end();) {
+    const bool stays = is_there(flow->first.source) && is_there(flow->first.destination);
+    flow = stays ? std::next(flow) : flows->erase(flow);
+  }
+}
+
+}  // namespace
+
+bool Relay::Key::operator<(const Key& other) const {
+  return std::tie(rule, source, destination) <
+         std::tie(other.rule, other.source, other.destination);
+}
+
+Relay::Relay(std::vector<RelayRule> rules, Report report)
+    : rules_(std::move(rules)), report_(std::move(report)) {}
+
+void Relay::set_robots(const std::vector<std::string>& robots) {
+  robots_ = robots;
+  drop_flows_of_others(robots_, &senders_);
+  drop_flows_of_others(robots_, &reliable_);
+  drop_flows_of_others(robots_, &best_effort_);
+  for (auto topic = topics_.begin(); topic != topics_.end();) {
+    const bool stays = std::binary_search(robots_.begin(), robots_.end(), topic->first.second);
+    topic = stays ? std::next(topic) : topics_.erase(topic);
+  }
+}
+
+void Relay::reset() {
+  topics_.clear();
+  senders_.clear();
+  reliable_.clear();
+  best_effort_.clear();
+  counts_.clear();
+}
+
+/// The mean rate is the limit; after a pause there is no burst.
+bool Relay::is_thinned(const RelayRule& rule, Topic* topic, SimTime now) {
+  if (rule.max_rate_hz <= 0.0) return false;
+  if (now < topic->due) return true;
+  const SimTime period = SimTime::from_seconds(1.0 / rule.max_rate_hz);
+  topic->due = now - topic->due < period ? topic->due + period : now + period;
+  return false;
+}
+
+std::vector<std::string> Relay::destinations(const RelayRule& rule,
+                                             const std::string& source) const {
+  if (rule.is_broadcast()) return {Radio::kAll};
+  std::vector<std::string> result;
+  for (const std::string& robot : robots_) {
+    if (robot != source && rule.is_to(robot)) result.push_back(robot);
+  }
+  return result;
+}
+
+/// A topic that has more than the air carries is a mistake of its rule, and is reported once.
+void Relay::check_rate(const std::pair<std::size_t, std::string>& key, Topic* topic,
+                       std::size_t bytes, SimTime now, Radio& radio) {
+  topic->bytes += bytes;
+  if (topic->has_reported_rate || now - topic->second < kSecond) return;
+  const double bit_s = 8.0 * static_cast<double>(topic->bytes) / (now - topic->second).seconds();
+  topic->second = now;
+  topic->bytes = 0;
+  constexpr double kSlowest_bit_s = 1e6;  // what every mode carries, and is not worth a look
+  if (bit_s < kSlowest_bit_s) return;
+  const auto& [index, source] = key;
+  const RelayRule& rule = rules_[index];
+  double carried_bit_s = 0.0;
+  if (rule.is_broadcast()) {
+    carried_bit_s = radio.limits(source).broadcast_bit_s;
+  } else {
+    for (const RadioLink& link : radio.links(source)) {
+      if (rule.is_to(link.destination)) carried_bit_s = std::max(carried_bit_s, link.rate_bit_s);
+    }
+  }
+  if (bit_s <= carried_bit_s) return;
+  topic->has_reported_rate = true;
+  report_(rule.text(index) + ": " + source + "/" + rule.topic + " has " +
+          number_text(1e-6 * bit_s) + " Mbit/s, legal is less than its radio carries, " +
+          number_text(1e-6 * carried_bit_s) + "; max_rate limits it");
+}
+
+bool Relay::is_too_large(const std::pair<std::size_t, std::string>& key, Topic* topic,
+                         std::size_t bytes, Radio& radio) {
+  const auto& [index, source] = key;
+  const RelayRule& rule = rules_[index];
+  std::size_t limit = kPartBytes * std::numeric_limits<std::uint16_t>::max();
+  // All parts of a message that is sent once wait in the queue; others follow as they are
+  // acknowledged.
+  if (!rule.is_reliable()) limit = std::min(limit, radio.limits(source).queue_bytes);
+  if (bytes <= limit) return false;
+  if (!std::exchange(topic->has_reported_size, true)) {
+    report_(rule.text(index) + ": a message of " + source + "/" + rule.topic + " has " +
+            std::to_string(bytes) + " bytes, legal: at most " + std::to_string(limit) +
+            (rule.is_reliable() ? "" : ", its radio's queue; reliable rules take larger ones"));
+  }
+  return true;
+}
+
+void Relay::offer(std::size_t rule_index, const std::string& source, const RelayMessage& message,
+                  SimTime now, Radio& radio) {
+  const RelayRule& rule = rules_[rule_index];
+  const std::pair<std::size_t, std::string> topic_key{rule_index, source};
+  Topic& topic = topics_[topic_key];
+  const bool thinned = is_thinned(rule, &topic, now);
+  const std::size_t bytes = message.data->size();
+  if (!thinned) check_rate(topic_key, &topic, bytes, now, radio);
+  const bool too_large = !thinned && is_too_large(topic_key, &topic, bytes, radio);
+  const std::uint64_t number = topic.next_number++;
+  for (const std::string& destination : destinations(rule, source)) {
+    const Key key{rule_index, source, destination};
+    RelayCounts& counts = counts_[key];
+    ++counts.offered;
+    counts.thinned += thinned ? 1 : 0;
+    counts.refused += too_large ? 1 : 0;
+    if (thinned || too_large) continue;
+    if (!rule.is_reliable()) {
+      send_once(key, message, number, now, radio);
+      continue;
+    }
+    const auto id = static_cast<std::uint16_t>(rule_index);
+    const SimTime deadline = SimTime::from_seconds(rule.deadline_s);
+    senders_.try_emplace(key, id, rule.depth, deadline).first->second.add(message, &counts);
+  }
+}
+
+void Relay::send_once(const Key& key, const RelayMessage& message, std::uint64_t number,
+                      SimTime now, Radio& radio) {
+  const RelayRule& rule = rules_[key.rule];
+  RelayCounts& counts = counts_[key];
+  RadioQos qos;
+  qos.port = kRelayPort;
+  qos.priority = rule.priority;
+  qos.deadline_s = time_left_s(rule, message, now);
+  if (qos.deadline_s < 0.0) {
+    ++counts.expired;
+    return;
+  }
+  qos.history = {static_cast<std::uint32_t>(key.rule + 1), rule.depth, number, true};
+  PartDatagram part;
+  part.rule = static_cast<std::uint16_t>(key.rule);
+  part.number = number;
+  part.born = message.born;
+  part.parts = static_cast<std::uint16_t>(part_count(message.data->size()));
+  bool is_sent = true;
+  for (; part.part < part.parts && is_sent; ++part.part) {
+    part.data = std::string_view(*message.data).substr(part.part * kPartBytes, kPartBytes);
+    qos.history.is_begin = part.part == 0;
+    is_sent = radio.send(key.source, key.destination, encode(part), qos);
+    counts.datagrams += is_sent ? 1 : 0;
+  }
+  if (!is_sent) ++counts.refused;
+}
+
+void Relay::send(SimTime now, Radio& radio) {
+  for (auto& [key, sender] : senders_) {
+    if (sender.is_idle()) continue;
+    RelayCounts& counts = counts_[key];
+    RadioQos qos;
+    qos.port = kRelayPort;
+    qos.priority = rules_[key.rule].priority;
+    while (const auto part = sender.next(now, &counts)) {
+      // A full queue is not a loss: it is tried again in the next step.
+      if (!radio.send(key.source, key.destination, encode(*part), qos)) break;
+      sender.sent(now, &counts);
+    }
+  }
+}
+
+void Relay::take_part(const Key& key, const PartDatagram& part, SimTime now,
+                      std::vector<RelayDelivery>* deliveries) {
+  const RelayRule& rule = rules_[key.rule];
+  RelayCounts& counts = counts_[key];
+  const SimTime deadline = SimTime::from_seconds(rule.deadline_s);
+  std::vector<RelayMessage> messages;
+  if (rule.is_reliable()) {
+    reliable_.try_emplace(key, part.rule, deadline)
+        .first->second.take(part, now, &messages, &counts);
+  } else if (auto message =
+                 best_effort_.try_emplace(key, deadline).first->second.take(part, now, &counts)) {
+    messages.push_back(std::move(*message));
+  }
+  for (RelayMessage& message : messages) {
+    ++counts.delivered;
+    const double delay_s = (now - message.born).seconds();
+    counts.delay_s += delay_s;
+    counts.max_delay_s = std::max(counts.max_delay_s, delay_s);
+    deliveries->push_back({key.rule, key.source, key.destination, std::move(message), now});
+  }
+}
+
+/// What is no datagram of ours came from somebody who uses the port for other things.
+void Relay::take(const std::string& receiver, const RadioMessage& packet,
+                 std::vector<RelayDelivery>* deliveries) {
+  if (const auto part = decode_part(packet.data)) {
+    const bool is_for_it = part->rule < rules_.size() && rules_[part->rule].is_to(receiver);
+    if (!is_for_it) return;
+    take_part({part->rule, packet.source, receiver}, *part, packet.received, deliveries);
+  } else if (const auto ack = decode_ack(packet.data)) {
+    const auto flow = senders_.find({ack->rule, receiver, packet.source});
+    if (flow != senders_.end()) flow->second.acknowledge(*ack, packet.received);
+  }
+}
+
+void Relay::acknowledge(Radio& radio) {
+  for (auto& [key, receiver] : reliable_) {
+    const auto ack = receiver.take_ack();
+    if (!ack) continue;
+    RadioQos qos;
+    qos.port = kRelayPort;
+    qos.priority = rules_[key.rule].priority;
+    // One that is lost is followed by the next, at the latest when its parts are sent again.
+    radio.send(key.destination, key.source, encode(*ack), qos);
+  }
+}
+
+std::vector<RelayDelivery> Relay::receive(Radio& radio) {
+  std::vector<RelayDelivery> deliveries;
+  for (const std::string& robot : robots_) {
+    for (const RadioMessage& packet : radio.receive(robot, kRelayPort)) {
+      take(robot, packet, &deliveries);
+    }
+  }
+  acknowledge(radio);
+  std::stable_sort(deliveries.begin(), deliveries.end(),
+                   [](const auto& a, const auto& b) { return a.received < b.received; });
+  return deliveries;
+}
+
+}  // namespace trident::sim

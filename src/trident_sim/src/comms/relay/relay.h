@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comms/relay/best_effort_flow.h"
+#include "comms/relay/relay_message.h"
+#include "comms/relay/relay_rules.h"
+#include "comms/relay/reliable_flow.h"
+#include "trident_sim/radio.h"
+
+namespace trident::sim {
+
+/// Of the radios, that relays listen on.
+constexpr int kRelayPort = 1;
+
+/// A message that has crossed.
+struct RelayDelivery {
+  std::size_t rule = 0;
+  std::string source, destination;  ///< robots
+  RelayMessage message;
+  SimTime received;
+};
+
+/// Carries messages from robots to robots over their radios, by rules: those of a topic in their
+/// order and once each. Called between steps. A value.
+class Relay {
+ public:
+  using Report = std::function<void(const std::string&)>;
+
+  /// `report`: takes what a user should know.
+  Relay(std::vector<RelayRule> rules, Report report);
+
+  const std::vector<RelayRule>& rules() const { return rules_; }
+  /// Robots with radios, now. What others had sent or were to receive is void.
+  void set_robots(const std::vector<std::string>& robots);
+  /// A message of a robot's topic that counts now.
+  void offer(std::size_t rule, const std::string& source, const RelayMessage& message, SimTime now,
+             Radio& radio);
+  /// Gives the radios what reliable flows have to send.
+  void send(SimTime now, Radio& radio);
+  /// Takes what the radios have received, acknowledges, and returns what is whole, by time.
+  std::vector<RelayDelivery> receive(Radio& radio);
+  /// By rule, source and destination ("all": by broadcast, as sent).
+  struct Key {
+    std::size_t rule;
+    std::string source, destination;
+    bool operator<(const Key& other) const;
+  };
+  const std::map<Key, RelayCounts>& counts() const { return counts_; }
+  void reset();
+
+ private:
+  /// A topic that crosses, at its source.
+  struct Topic {
+    SimTime due;  ///< from which on max_rate lets the next message pass
+    std::uint64_t next_number = 0;
+    SimTime second;           ///< when the present second of counting began
+    std::uint64_t bytes = 0;  ///< in it
+    bool has_reported_rate = false, has_reported_size = false;
+  };
+
+  static bool is_thinned(const RelayRule& rule, Topic* topic, SimTime now);
+  void check_rate(const std::pair<std::size_t, std::string>& key, Topic* topic, std::size_t bytes,
+                  SimTime now, Radio& radio);
+  bool is_too_large(const std::pair<std::size_t, std::string>& key, Topic* topic, std::size_t bytes,
+                    Radio& radio);
+  std::vector<std::string> destinations(const RelayRule& rule, const std::string& source) const;
+  void send_once(const Key& key, const RelayMessage& message, std::uint64_t number, SimTime now,
+                 Radio& radio);
+  void take(const std::string& receiver, const RadioMessage& packet,
+            std::vector<RelayDelivery>* deliveries);
+  void take_part(const Key& key, const PartDatagram& part, SimTime now,
+                 std::vector<RelayDelivery>* deliveries);
+  void acknowledge(Radio& radio);
+
+  std::vector<RelayRule> rules_;
+  Report report_;
+  std::vector<std::string> robots_;
+  std::map<std::pair<std::size_t, std::string>, Topic> topics_;  ///< by rule and source
+  std::map<Key, ReliableSender> senders_;
+  std::map<Key, ReliableReceiver> reliable_;
+  std::map<Key, BestEffortReceiver> best_effort_;
+  std::map<Key, RelayCounts> counts_;
+};
+
+}  // namespace trident::sim

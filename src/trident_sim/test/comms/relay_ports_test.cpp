@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+// Topics that cross between robots of a world by the rules of a file.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "models.h"
+#include "scratch_folder.h"
+#include "test_world.h"
+#include "trident_sim/bytes_sample.h"
+#include "trident_sim/radio.h"
+
+namespace trident::sim {
+namespace {
+
+constexpr const char* kRules = R"(
+radio: {tx_power: 10.0, height: 0.5}
+model: {path: free_space, shadowing_sigma: 0}
+rules:
+  - {topic: odometry, reliability: best_effort, depth: 1, deadline: 0.5, priority: 2}
+  - {topic: detections, from: [a], to: [b], reliability: reliable, depth: 100, deadline: 30.0}
+)";
+
+class RelayWorld {
+ public:
+  explicit RelayWorld(const std::string& rules = kRules, double distance_m = 50.0,
+                      const ParamList& air = {{"path", "log_distance"}},
+                      const WorldOptions& options = {})
+      : world(spec(rules, air), options) {
+    add("a", 0.0);
+    add("b", distance_m);
+  }
+
+  void add(const std::string& name, double x) {
+    ModelSpec robot =
+        make_body(name, BoxShape{{0.2, 0.2, 0.2}}, SE3::from_xyz_rpy({x, 0.0, 1.0}, 0.0, 0.0, 0.0));
+    robot.plugins.push_back(make_plugin("radio", "libtrident_radio.so", {{"tx_power", "20"}}));
+    world.add(robot);
+  }
+  /// As a node outside would.
+  void write(const std::string& topic, const std::string& data, SimTime stamp = {}) {
+    InPort<BytesSample>* const port = world->ports().find_in<BytesSample>(topic);
+    ASSERT_NE(port, nullptr) << topic;
+    port->write({stamp, std::make_shared<const std::string>(data), {}});
+  }
+  /// Steps and appends what `topic` has.
+  void step(int steps, const std::string& topic, std::vector<std::string>* heard) {
+    const OutPort<BytesSample>* const port = world->ports().find_out<BytesSample>(topic);
+    ASSERT_NE(port, nullptr) << topic;
+    for (int i = 0; i < steps; ++i) {
+      const std::uint64_t before = port->count();
+      world->step();
+      if (port->count() == before) continue;
+      for (const BytesSample& sample : port->earlier()) heard->push_back(*sample.data);
+      heard->push_back(*port->value.data);
+    }
+  }
+
+ private:
+  WorldSpec spec(const std::string& rules, ParamList air) {
+    air.emplace_back("rules", folder.write("team.yaml", rules));
+    WorldSpec result = weightless(0.01);
+    result.plugins.push_back(make_plugin("air", "libtrident_radio_medium.so", air));
+    return result;
+  }
+
+  ScratchFolder folder;
+
+ public:
+  TestWorld world;
+};
+
+TEST(RelayPorts, ATopicOfOneIsHeardByTheOtherWhenTheRadioDeliversIt) {
+  RelayWorld two;
+  std::vector<std::string> heard;
+  two.world->step(3);
+  two.write("a/detections", std::string("x\0y", 3));
+  two.step(1, "b/from/a/detections", &heard);
+  EXPECT_EQ(heard, (std::vector<std::string>{std::string("x\0y", 3)}));
+  EXPECT_EQ(two.world->ports().find_out<BytesSample>("b/from/a/detections")->value.origin,
+            "a/detections");
+  two.step(20, "b/from/a/detections", &heard);
+  EXPECT_EQ(heard.size(), 1u);
+  // What is in no rule has no port.
+  EXPECT_EQ(two.world->ports().find("a/from/b/detections", PortDirection::kOut), nullptr);
+  EXPECT_EQ(two.world->ports().find("b/detections", PortDirection::kIn), nullptr);
+  EXPECT_NE(two.world->ports().find("a/from/b/odometry", PortDirection::kOut), nullptr);
+}
+
+TEST(RelayPorts, TheFileStandsInPlaceOfTheElements) {
+  RelayWorld two;
+  const RadioLink link = find_radio(*two.world)->links()[0];
+  RelayWorld free("model: {path: free_space, shadowing_sigma: 0}", 50.0);
+  EXPECT_NEAR(find_radio(*free.world)->links()[0].rssi_dbm - link.rssi_dbm, 10.0, 1e-9);
+  EXPECT_EQ(link.loss_db, find_radio(*free.world)->links()[0].loss_db);
+}
+
+TEST(RelayPorts, AStampIsWaitedFor) {
+  RelayWorld two;
+  std::vector<std::string> heard;
+  two.world->step(1);
+  two.write("a/detections", "later", SimTime::from_seconds(0.1));
+  two.write("a/detections", "now", SimTime::from_seconds(0.005));
+  two.step(1, "b/from/a/detections", &heard);
+  EXPECT_EQ(heard, (std::vector<std::string>{"now"}));
+  two.step(8, "b/from/a/detections", &heard);
+  EXPECT_EQ(heard.size(), 1u);
+  two.step(1, "b/from/a/detections", &heard);
+  EXPECT_EQ(heard, (std::vector<std::string>{"now", "later"}));
+  two.write("a/detections", "of a wall clock", SimTime::from_seconds(1.8e9));
+  two.step(1, "b/from/a/detections", &heard);
+  EXPECT_EQ(heard.back(), "of a wall clock");
+  EXPECT_EQ(two.world.report_count(Severity::kWarning, "ahead of the simulated time"), 1u);
+}
+
+TEST(RelayPorts, AfterAnOutageTheFirstIsNotOlderThanAPeriod) {
+  RelayWorld two;
+  auto radio = find_radio(*two.world);
+  std::vector<std::string> heard;
+  for (int i = 0; i < 130; ++i) {
+    two.write("a/odometry", std::to_string(i));
+    if (i == 10) radio->set_outage("a", "", two.world->time() + SimTime::from_seconds(10.0));
+    two.step(10, "b/from/a/odometry", &heard);
+  }
+  // Ten each second; the outage is from 1.0 to 11.0 s.
+  ASSERT_EQ(heard.size(), 30u);
+  EXPECT_EQ(heard[9], "9");
+  EXPECT_EQ(heard[10], "110");
+}
+
+TEST(RelayPorts, ReliableOnesSurviveAnOutage) {
+  RelayWorld two;
+  auto radio = find_radio(*two.world);
+  std::vector<std::string> heard, sent;
+  for (int i = 0; i < 100; ++i) {
+    sent.push_back(std::to_string(i));
+    two.write("a/detections", sent.back());
+    if (i == 10) radio->set_outage("a", "b", two.world->time() + SimTime::from_seconds(5.0));
+    two.step(10, "b/from/a/detections", &heard);
+  }
+  EXPECT_EQ(heard, sent);
+  const auto flows = find_relay(*two.world)->flows();
+  ASSERT_FALSE(flows.empty());
+  EXPECT_EQ(flows.back().rule, "rule 2 (detections)");
+  EXPECT_EQ(flows.back().counts.delivered, 100u);
+}
+
+std::vector<std::string> flight(const WorldOptions& options, bool with_snapshot,
+                                std::string* hash) {
+  RelayWorld two(kRules, 1000.0, {}, options);  // some frames are lost
+  std::vector<std::string> heard;
+  for (int i = 0; i < 100; ++i) {
+    two.write("a/detections", std::string(3000, 'x') + std::to_string(i));
+    two.step(2, "b/from/a/detections", &heard);
+    if (!with_snapshot || i != 50) continue;
+    const Snapshot snapshot = two.world->save_snapshot();
+    std::vector<std::string> other;
+    two.step(30, "b/from/a/detections", &other);
+    two.world->restore_snapshot(snapshot);
+  }
+  *hash = two.world->state_hash();
+  return heard;
+}
+
+TEST(RelayPorts, RunsRepeatWithAndWithoutSnapshotsAndThreads) {
+  WorldOptions four;
+  four.sensor_threads = 4;
+  std::string hash, other_hash;
+  const auto heard = flight({}, false, &hash);
+  EXPECT_GT(heard.size(), 50u);
+  EXPECT_EQ(flight({}, true, &other_hash), heard);
+  EXPECT_EQ(other_hash, hash);
+  EXPECT_EQ(flight(four, false, &other_hash), heard);
+  EXPECT_EQ(other_hash, hash);
+}
+
+TEST(RelayPorts, AResetForgetsWhatWaits) {
+  RelayWorld two;
+  std::vector<std::string> heard;
+  two.write("a/detections", "0");
+  two.step(5, "b/from/a/detections", &heard);
+  two.write("a/detections", "lost", SimTime::from_seconds(1.0));
+  two.world->step(1);
+  two.world->reset();
+  two.step(5, "b/from/a/detections", &heard);
+  two.write("a/detections", "1");
+  two.step(200, "b/from/a/detections", &heard);
+  EXPECT_EQ(heard, (std::vector<std::string>{"0", "1"}));
+}
+
+TEST(RelayPorts, RobotsComeAndGo) {
+  RelayWorld two;
+  two.add("c", 20.0);
+  std::vector<std::string> heard;
+  two.write("c/odometry", "here");
+  two.step(2, "b/from/c/odometry", &heard);
+  EXPECT_EQ(heard, (std::vector<std::string>{"here"}));
+  two.world->remove("c");
+  EXPECT_EQ(two.world->ports().find("b/from/c/odometry", PortDirection::kOut), nullptr);
+  EXPECT_EQ(two.world->ports().find("c/odometry", PortDirection::kIn), nullptr);
+  two.world->step(2);
+  two.add("c", 20.0);
+  two.write("c/odometry", "again");
+  two.step(2, "b/from/c/odometry", &heard);
+  EXPECT_EQ(heard.back(), "again");
+}
+
+TEST(RelayPorts, RulesThatMatchNothingAreNamed) {
+  RelayWorld two("rules:\n  - {topic: x, from: [ship]}\n  - {topic: y}\n  - {topic: z, to: [b]}\n");
+  two.write("a/z", "1");
+  two.world->step(600);
+  EXPECT_EQ(two.world.report_count(Severity::kWarning,
+                                   "rule 1 (x): there is no radio 'ship' after 5 s, radios: a, b"),
+            1u);
+  EXPECT_EQ(
+      two.world.report_count(Severity::kWarning,
+                             "rule 2 (y): no robot of all has sent a message on its y after 5 s"),
+      1u);
+  EXPECT_EQ(two.world.report_count(Severity::kWarning, "rule 3"), 0u);
+}
+
+TEST(RelayPorts, WhatTheFileCannotSayIsOneError) {
+  const auto refusal = [](const std::string& rules) {
+    WorldOptions strict;
+    strict.odd_elements = OddElements::kRefuse;
+    return error_of([&] { RelayWorld(rules, 50.0, {}, strict); });
+  };
+  EXPECT_TRUE(contains(refusal("radio: {tx_powr: 10}"), "team.yaml: radio: 'tx_powr'"));
+  EXPECT_TRUE(contains(refusal("radio: {gain: .nan}"), "gain"));
+  EXPECT_TRUE(contains(refusal("model: {path: three_rays}"), "three_rays"));
+  EXPECT_TRUE(contains(refusal("model: {pth: two_ray}"), "path"));
+  EXPECT_TRUE(contains(refusal("rules: [{topic: x, depht: 3}]"), "depth"));
+}
+
+}  // namespace
+}  // namespace trident::sim
