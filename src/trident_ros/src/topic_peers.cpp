@@ -5,6 +5,7 @@
 #include <ros/master.h>
 #include <ros/publisher_link.h>
 #include <ros/this_node.h>
+#include <ros/transport_publisher_link.h>
 
 #include "roscpp_internals.h"
 #include "trident_base/string_util.h"
@@ -22,8 +23,11 @@ std::vector<TopicPeer> topic_readers(const std::string& topic) {
   return result;
 }
 
-std::vector<std::string> topic_writers(const std::string& topic) {
-  std::vector<std::string> result;
+namespace {
+
+/// Calls visit(PublisherLink&) for each publisher that this process has shaken hands with.
+template <class Visitor>
+void for_each_writer(const std::string& topic, Visitor&& visit) {
   ros::TopicManager& manager = *ros::TopicManager::instance();
   boost::mutex::scoped_lock lock(manager.*pointer_to(SubscriptionsMutex{}));
   for (const ros::SubscriptionPtr& subscription : manager.*pointer_to(Subscriptions{})) {
@@ -31,10 +35,32 @@ std::vector<std::string> topic_writers(const std::string& topic) {
     boost::mutex::scoped_lock links((*subscription).*pointer_to(PublisherLinksMutex{}));
     for (const ros::PublisherLinkPtr& link : (*subscription).*pointer_to(PublisherLinks{})) {
       // Without a name the handshake has only begun.
-      if (!link->getCallerID().empty()) result.push_back(link->getCallerID());
+      if (!link->getCallerID().empty()) visit(*link);
     }
   }
+}
+
+}  // namespace
+
+std::vector<std::string> topic_writers(const std::string& topic) {
+  std::vector<std::string> result;
+  for_each_writer(topic, [&](ros::PublisherLink& link) { result.push_back(link.getCallerID()); });
   return result;
+}
+
+TopicType topic_type(const std::string& topic) {
+  TopicType type;
+  for_each_writer(topic, [&type](ros::PublisherLink& link) {
+    auto* const remote = dynamic_cast<ros::TransportPublisherLink*>(&link);
+    if (remote == nullptr || !type.name.empty()) return;
+    ros::Header& header = remote->getConnection()->getHeader();
+    header.getValue("type", type.name);
+    header.getValue("md5sum", type.md5sum);
+    header.getValue("message_definition", type.definition);
+    std::string latching;
+    type.is_latched = header.getValue("latching", latching) && latching == "1";
+  });
+  return type;
 }
 
 std::vector<std::string> topic_publishers(const std::string& topic) {

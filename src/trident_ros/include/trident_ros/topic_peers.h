@@ -20,6 +20,18 @@ std::vector<TopicPeer> topic_readers(const std::string& topic);
 /// until the master hears of its end: roscpp tries to reconnect until then.
 std::vector<std::string> topic_writers(const std::string& topic);
 
+/// What ROS says of the messages of a topic.
+struct TopicType {
+  std::string name;         ///< "nav_msgs/Odometry"; "": not known
+  std::string md5sum;       ///< of its definition
+  std::string definition;   ///< of the type and of those in it
+  bool is_latched = false;  ///< who subscribes later gets the newest message
+};
+
+/// As a publisher in another process has it that this process is connected to, before its first
+/// message, too.
+TopicType topic_type(const std::string& topic);
+
 /// Nodes that write a topic of any name, as the master knows them; asks the
 /// master. Empty when it does not answer.
 std::vector<std::string> topic_publishers(const std::string& topic);

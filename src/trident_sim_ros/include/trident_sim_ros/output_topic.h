@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "trident_ros/direct_message.h"
 #include "trident_ros/inline_callback_queue.h"
+#include "trident_ros/topic_peers.h"
 #include "trident_sim/port.h"
 
 namespace trident::sim {
@@ -49,6 +51,12 @@ class OutputBinding {
   /// Converts the present value into a message that may wait to be sent; nullptr when the topic
   /// takes no single messages.
   virtual std::unique_ptr<ros_utils::DirectMessage> message() = 0;
+  /// Calls take(DirectMessage&) for each value of the last step, oldest first.
+  virtual void each_message(const std::function<void(ros_utils::DirectMessage&)>& take) {
+    if (const auto newest = message()) take(*newest);
+  }
+  /// Of its messages; with an empty name: not known.
+  virtual ros_utils::TopicType type() const { return {}; }
   /// Of the topic now; the port is wanted while it is > 0.
   virtual std::uint32_t subscribers() const = 0;
   /// Valid as long as the binding.
@@ -70,7 +78,8 @@ class OutputBinding {
     }
   }
   bool wanted() const { return wanted_; }  ///< as last set
-  bool is_late = false;  ///< a value was not published yet, for the wall rate of displays
+  bool is_tapped = false;  ///< this process takes the messages, with and without subscribers
+  bool is_late = false;    ///< a value was not published yet, for the wall rate of displays
   /// True once per new value.
   bool take_fresh() {
     if (port_->count() == seen_) return false;
@@ -102,6 +111,18 @@ class TopicAdvertiser {
     has_changed_ = true;
     return node_.advertise(options);
   }
+  /// The same of a type that is known as the program runs only.
+  ros::Publisher advertise(const std::string& topic, const ros_utils::TopicType& type) {
+    const auto note = [this](const ros::SingleSubscriberPublisher&) { has_changed_ = true; };
+    ros::AdvertiseOptions options(topic, OutputTopicOptions{}.queue_size, type.md5sum, type.name,
+                                  type.definition, note, note);
+    options.callback_queue = &queue_;
+    options.latch = type.is_latched;
+    has_changed_ = true;
+    return node_.advertise(options);
+  }
+  /// Who is wanted is to be looked at once more.
+  void note_change() { has_changed_ = true; }
   /// True once after a change.
   bool take_change() { return has_changed_.exchange(false); }
 
@@ -131,6 +152,19 @@ class OutputTopic : public OutputBinding {
   }
   std::unique_ptr<ros_utils::DirectMessage> message() override {
     return std::make_unique<ros_utils::ObjectMessage<Message>>(converted(port_.value));
+  }
+  void each_message(const std::function<void(ros_utils::DirectMessage&)>& take) override {
+    const auto take_one = [&](const Sample& sample) {
+      ros_utils::ObjectMessage<Message> message(converted(sample));
+      take(message);
+    };
+    for (const Sample& sample : port_.earlier()) take_one(sample);
+    take_one(port_.value);
+  }
+  ros_utils::TopicType type() const override {
+    namespace traits = ros::message_traits;
+    return {traits::datatype<Message>(), traits::md5sum<Message>(), traits::definition<Message>(),
+            options_.is_latched};
   }
   std::uint32_t subscribers() const override { return publisher_.getNumSubscribers(); }
   const ros::Publisher& publisher() const override { return publisher_; }

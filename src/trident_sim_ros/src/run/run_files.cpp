@@ -5,14 +5,21 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <map>
+#include <utility>
 
 #include "trident_base/error.h"
+#include "trident_sim/radio.h"
 
 namespace trident::sim {
 namespace {
 
 constexpr std::int64_t kRecordPeriodNs = 50'000'000;
+constexpr std::int64_t kLinkPeriodNs = 500'000'000;
 constexpr const char* kStateColumns = "t,name,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n";
+constexpr const char* kLinkColumns =
+    "t,source,destination,distance,snr_db,mcs,delivered,lost,expired,refused,line_of_sight,"
+    "relayed\n";
 
 std::FILE* open_for_writing(const std::string& path) {
   std::FILE* file = std::fopen(path.c_str(), "w");
@@ -54,6 +61,46 @@ void write_notes(std::FILE* file, const Repeatability& repeatability) {
   std::fputs("]", file);
 }
 
+/// How many have crossed by rules, by source and destination.
+std::map<std::pair<std::string, std::string>, unsigned long long> relayed_messages(
+    const World& world) {
+  std::map<std::pair<std::string, std::string>, unsigned long long> result;
+  const auto relay = find_relay(world);
+  if (relay == nullptr) return result;
+  for (const RelayFlow& flow : relay->flows()) {
+    result[{flow.source, flow.destination}] += flow.counts.delivered;
+  }
+  return result;
+}
+
+/// What has crossed by rules; nothing in a world without rules.
+void write_relay(std::FILE* file, const World& world) {
+  const auto relay = find_relay(world);
+  if (relay == nullptr) return;
+  std::fputs(", \"relay\": [", file);
+  const char* separator = "";
+  for (const RelayFlow& flow : relay->flows()) {
+    const RelayCounts& n = flow.counts;
+    const double mean_s = n.delivered > 0 ? n.delay_s / static_cast<double>(n.delivered) : 0.0;
+    std::fprintf(file,
+                 "%s{\"rule\": \"%s\", \"reliable\": %s, \"deadline_s\": %.9g, \"source\": \"%s\", "
+                 "\"destination\": \"%s\", \"delay_mean_s\": %.9g, \"delay_max_s\": %.9g",
+                 separator, json_escaped(flow.rule).c_str(), flow.is_reliable ? "true" : "false",
+                 flow.deadline_s, json_escaped(flow.source).c_str(),
+                 json_escaped(flow.destination).c_str(), mean_s, n.max_delay_s);
+    const std::pair<const char*, std::uint64_t> counts[] = {
+        {"offered", n.offered}, {"thinned", n.thinned},     {"superseded", n.superseded},
+        {"expired", n.expired}, {"refused", n.refused},     {"delivered", n.delivered},
+        {"doubles", n.doubles}, {"datagrams", n.datagrams}, {"resent", n.resent}};
+    for (const auto& [name, count] : counts) {
+      std::fprintf(file, ", \"%s\": %llu", name, static_cast<unsigned long long>(count));
+    }
+    std::fputs("}", file);
+    separator = ", ";
+  }
+  std::fputs("]", file);
+}
+
 }  // namespace
 
 RunFiles::RunFiles(const std::string& folder, std::uint64_t seed) : folder_(folder), seed_(seed) {
@@ -66,20 +113,50 @@ RunFiles::RunFiles(const std::string& folder, std::uint64_t seed) : folder_(fold
 }
 
 RunFiles::~RunFiles() {
-  if (states_ != nullptr) std::fclose(states_);
-  if (progress_ != nullptr) std::fclose(progress_);
+  for (std::FILE** file : {&states_, &links_, &progress_}) close(file);
+}
+
+void RunFiles::close(std::FILE** file) {
+  if (*file != nullptr) std::fclose(*file);
+  *file = nullptr;
 }
 
 void RunFiles::restart() {
   if (states_ == nullptr) return;
-  std::fclose(states_);
+  close(&states_);
+  close(&links_);
   states_ = open_for_writing(folder_ + "/states.csv");
   std::fputs(kStateColumns, states_);
   std::fflush(states_);  // there, whatever becomes of this process
 }
 
 void RunFiles::record(const World& world) {
-  if (states_ == nullptr || world.time().ns % kRecordPeriodNs != 0) return;
+  if (states_ == nullptr) return;
+  if (world.time().ns % kRecordPeriodNs == 0) record_states(world);
+  if (world.time().ns % kLinkPeriodNs == 0) record_links(world);
+}
+
+void RunFiles::record_links(const World& world) {
+  const auto radio = find_radio(world);
+  if (radio == nullptr) return;
+  if (links_ == nullptr) {
+    links_ = open_for_writing(folder_ + "/links.csv");
+    std::fputs(kLinkColumns, links_);
+  }
+  const auto relayed = relayed_messages(world);
+  for (const RadioLink& link : radio->links()) {
+    const auto messages = relayed.find({link.source, link.destination});
+    std::fprintf(
+        links_, "%.9g,%s,%s,%.9g,%.9g,%d,%llu,%llu,%llu,%llu,%d,%llu\n", world.time().seconds(),
+        link.source.c_str(), link.destination.c_str(), link.distance_m, link.snr_db, link.mcs,
+        static_cast<unsigned long long>(link.delivered), static_cast<unsigned long long>(link.lost),
+        static_cast<unsigned long long>(link.expired),
+        static_cast<unsigned long long>(link.refused), link.has_line_of_sight ? 1 : 0,
+        messages == relayed.end() ? 0ULL : messages->second);
+  }
+}
+
+void RunFiles::record_states(const World& world) {
   for (const auto& [name, model] : world.models()) {
     const Link* link = model->canonical_link();
     if (model->is_static || link == nullptr) continue;
@@ -129,10 +206,12 @@ void RunFiles::finish(const World& world, const End& end, const Repeatability& r
                world.odd_elements().size(), json_escaped(world.name()).c_str());
   if (!end.error.empty())
     std::fprintf(file, ", \"error\": \"%s\"", json_escaped(end.error).c_str());
+  write_relay(file, world);
   write_notes(file, repeatability);
   std::fputs("}\n", file);
   std::fclose(file);
   if (states_ != nullptr) std::fflush(states_);
+  if (links_ != nullptr) std::fflush(links_);
 }
 
 }  // namespace trident::sim

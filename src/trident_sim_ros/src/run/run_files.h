@@ -11,8 +11,9 @@
 
 namespace trident::sim {
 
-/// What a run leaves in its folder: states.csv (every 0.05 s of simulated time), progress.jsonl
-/// (every second of wall time), run.json (at the end). Without a folder nothing is written.
+/// What a run leaves in its folder: states.csv (every 0.05 s of simulated time), links.csv (every
+/// 0.5 s, of a world with radios), progress.jsonl (every second of wall time), run.json (at the
+/// end). Without a folder nothing is written.
 class RunFiles {
  public:
   /// Throws Error when the folder cannot be written.
@@ -34,10 +35,15 @@ class RunFiles {
   void restart();
 
  private:
+  void record_states(const World& world);
+  void record_links(const World& world);
+  static void close(std::FILE** file);
+
   std::string folder_;
   std::uint64_t seed_;
   std::string line_;  ///< reused
   std::FILE* states_ = nullptr;
+  std::FILE* links_ = nullptr;  ///< nullptr: no radio was there yet
   std::FILE* progress_ = nullptr;
   std::chrono::steady_clock::time_point last_progress_;
   SimTime last_progress_time_;

@@ -133,6 +133,7 @@ void read_parameters(ros_utils::NodeParams params, ServerOptions& options) {
   for (const auto& [node, answer] : own.answers) options.answers[node] = answer.options();
   options.max_clock_rate_hz = own.max_clock_rate_hz;
   options.pub_clock_frequency_hz = own.pub_clock_frequency_hz;
+  options.radio_rules = own.radio_rules;
   options.plugin_libraries = own.plugin_libraries;
   options.sensor_threads = default_sensor_threads();
   set_if(own.sensor_threads, options.sensor_threads);

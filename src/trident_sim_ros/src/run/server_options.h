@@ -60,6 +60,7 @@ struct ServerOptions {
   double max_clock_rate_hz = 50.0;               ///< wall rate of /clock and of the state topics
   double pub_clock_frequency_hz = 0.0;           ///< simulated rate of /clock; 0: every step
   std::string out_dir;                           ///< where results go; "": none are written
+  std::string radio_rules;                       ///< a file of config/links; "": the world's own
   std::vector<std::string> plugin_libraries;
   std::size_t sensor_threads = 1;     ///< that share the work of lidars and cameras
   bool strict = false;                ///< odd elements of files are refused, not left out

@@ -64,6 +64,7 @@ struct ServerParams {
   std::map<std::string, AnswerParams> answers;
   double max_clock_rate_hz = 50.0, pub_clock_frequency_hz = 0.0;
   std::optional<std::string> out_dir;
+  std::string radio_rules;
   std::vector<std::string> plugin_libraries;
   std::optional<int> sensor_threads;
 
@@ -79,6 +80,8 @@ struct ServerParams {
     ar.field("timing", timing, "when a command acts: as RotorS, or in the next step");
     ar.field("out_dir", out_dir, "directory for results; empty: none are written");
     ar.field("plugin_libraries", plugin_libraries, "shared libraries with further plugins");
+    ar.field("radio_rules", radio_rules,
+             "file of config/links: which topics cross by radio; empty: as the world file says");
     ar.field("sensor_threads", sensor_threads, Range{1, 256},
              "that share the work of lidars and cameras; none: one per core, at most 8");
     ar.field("max_clock_rate", max_clock_rate_hz, Range{1.0, 1e5},

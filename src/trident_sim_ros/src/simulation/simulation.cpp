@@ -5,10 +5,12 @@
 #include <std_msgs/Bool.h>
 
 #include <algorithm>
+#include <sstream>
 #include <thread>
 
 #include "conversions/conversions.h"
 #include "trident_base/error.h"
+#include "trident_sim/radio.h"
 
 namespace trident::sim {
 namespace {
@@ -22,6 +24,34 @@ constexpr auto kScanPeriod = milliseconds(2);
 constexpr double kEveryStepFactor = 2.0;
 /// A delay longer than this is not caught up with in a burst.
 constexpr double kGivenUpDelay_s = 0.25;
+
+/// A world that has no air for radios gets it from the file.
+void use_radio_rules(const std::string& file, WorldSpec* spec) {
+  constexpr const char* kMedium = "libtrident_radio_medium.so";
+  const auto medium =
+      std::find_if(spec->plugins.begin(), spec->plugins.end(),
+                   [](const PluginSpec& plugin) { return plugin.filename == kMedium; });
+  PluginSpec& air = medium != spec->plugins.end()
+                        ? *medium
+                        : spec->plugins.emplace_back(PluginSpec{"radio_medium", kMedium, {}});
+  auto& elements = air.params.children;
+  elements.erase(std::remove_if(elements.begin(), elements.end(),
+                                [](const ParamNode& node) { return node.name == "rules"; }),
+                 elements.end());
+  elements.push_back({"rules", file, {}, {}});
+}
+
+void add_relay_notes(const RelayReport& relay, DiagnosticsTopic::Notes* notes) {
+  for (const RelayFlow& flow : relay.flows()) {
+    const RelayCounts& counts = flow.counts;
+    std::ostringstream text;
+    text << "offered " << counts.offered << ", delivered " << counts.delivered << ", expired "
+         << counts.expired << ", superseded " << counts.superseded << ", refused " << counts.refused
+         << ", left out for max_rate " << counts.thinned << ", sent again " << counts.resent;
+    notes->emplace_back("radio: " + flow.rule + ": " + flow.source + " to " + flow.destination,
+                        text.str());
+  }
+}
 
 /// The parameter tf_prefix of a namespace or the next one above that has it.
 std::string find_tf_prefix(const std::string& robot_namespace) {
@@ -50,10 +80,11 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   const auto report = [this](Severity severity, const std::string& text)
                           TRIDENT_REQUIRES(mutex_) { this->report(severity, text); };
   for (const std::string& warning : resources_.warnings()) report(Severity::kWarning, warning);
-  const WorldSpec spec = load_world_file(
+  WorldSpec spec = load_world_file(
       options.world_file, resources_,
       [&](const std::string& text) TRIDENT_REQUIRES(mutex_) { report(Severity::kWarning, text); },
       odd_elements());
+  if (!options.radio_rules.empty()) use_radio_rules(options.radio_rules, &spec);
   world_ =
       std::make_unique<World>(spec, resources_, registry_,
                               WorldOptions{options.seed, options.timing, report, find_tf_prefix,
@@ -63,6 +94,7 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
                                                                  spec.physics.max_step_size_s;
   binder_ = std::make_unique<PortBinder>(node_, world_->ports());
   inputs_ = std::make_unique<InputBinder>(node_, world_->ports(), repeatability_);
+  relay_ = std::make_unique<RadioRelay>(world_->ports(), *binder_, *inputs_);
   topics_ = std::make_unique<StateTopics>(node_, options.max_clock_rate_hz,
                                           options.pub_clock_frequency_hz);
   files_ = std::make_unique<RunFiles>(options.out_dir, options.seed);
@@ -112,11 +144,12 @@ void Simulation::note_change(const std::string& who) {
   }
 }
 
-/// Ports come and go with models: topics, inputs, the gate and the answers follow in this order, as
-/// each builds on what the one before has bound.
+/// Ports come and go with models: topics, inputs, what joins the two, the gate and the answers
+/// follow in this order, as each builds on what the one before has bound.
 void Simulation::sync_topics() {
   binder_->sync();
   inputs_->sync();
+  relay_->sync();
   gate_->sync(*world_, *binder_);
   answers_->sync();
   binder_->scan_subscribers();
@@ -273,6 +306,7 @@ void Simulation::make_step() {
   inputs_->deliver(world_->time());
   answers_->deliver(world_->time());
   world_->step();
+  relay_->take_outputs();
   answers_->look_for_samples(world_->time());
   const bool every_step =
       pace_.real_time_factor > 0.0 && pace_.real_time_factor <= kEveryStepFactor;
@@ -290,6 +324,7 @@ void Simulation::run_housekeeping() {
   next_scan_ = now + kScanPeriod;
   binder_->scan_subscribers();
   topics_->scan(*world_);
+  relay_->look_for_types();
   topics_->catch_up_clock(world_->time());
   performance_.publish(*world_);
   if (!is_ready_) announce_readiness();
@@ -340,6 +375,7 @@ void Simulation::publish_diagnostics() {
     notes.emplace_back("controller of " + name,
                        in_lockstep ? "in lockstep" : "free-running or absent");
   }
+  if (const auto relay = find_relay(*world_)) add_relay_notes(*relay, &notes);
   diagnostics_.publish(*world_, notes);
 }
 

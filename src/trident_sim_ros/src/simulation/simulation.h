@@ -23,6 +23,7 @@
 #include "topics/input_binder.h"
 #include "topics/performance_topic.h"
 #include "topics/port_binder.h"
+#include "topics/radio_relay.h"
 #include "topics/state_topics.h"
 #include "trident_base/mutex.h"
 #include "trident_ros/schedule_fuzz.h"
@@ -151,6 +152,7 @@ class Simulation {
   std::unique_ptr<World> world_ TRIDENT_PT_GUARDED_BY(mutex_);
   std::unique_ptr<PortBinder> binder_ TRIDENT_PT_GUARDED_BY(mutex_);
   std::unique_ptr<InputBinder> inputs_ TRIDENT_PT_GUARDED_BY(mutex_);
+  std::unique_ptr<RadioRelay> relay_ TRIDENT_PT_GUARDED_BY(mutex_);
   std::unique_ptr<StateTopics> topics_ TRIDENT_PT_GUARDED_BY(mutex_);
   PerformanceTopic performance_ TRIDENT_GUARDED_BY(mutex_);
   std::unique_ptr<RunFiles> files_ TRIDENT_PT_GUARDED_BY(mutex_);

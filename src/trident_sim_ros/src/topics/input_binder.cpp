@@ -12,16 +12,19 @@
 #include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
 #include <std_srvs/Empty.h>
+#include <topic_tools/shape_shifter.h>
 #include <uuv_gazebo_ros_plugins_msgs/FloatStamped.h>
 
 #include <mutex>
 #include <type_traits>
 #include <vector>
 
+#include "any_messages.h"
 #include "conversions/conversions.h"
 #include "conversions/radio_conversions.h"
 #include "thruster_services.h"
 #include "trident_ros/schedule_fuzz.h"
+#include "trident_sim/bytes_sample.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/text_sample.h"
 
@@ -57,7 +60,8 @@ TextCommand from_message(const std_msgs::String& message) { return {SimTime{}, m
 /// When a command counts; zero: in the next step.
 template <class Command>
 SimTime stamp_of(const Command& command) {
-  if constexpr (std::is_same_v<Command, PoseSample> || std::is_same_v<Command, PathCommand>) {
+  if constexpr (std::is_same_v<Command, PoseSample> || std::is_same_v<Command, PathCommand> ||
+                std::is_same_v<Command, BytesSample>) {
     return command.stamp;
   } else {
     return {};
@@ -76,8 +80,9 @@ template <class Command>
 class Mailbox {
  public:
   /// Of texts and packets all that a port holds wait, as each says a part only; else the newest.
-  static constexpr bool kAllCount =
-      std::is_same_v<Command, TextCommand> || std::is_same_v<Command, RadioPacketSample>;
+  static constexpr bool kAllCount = std::is_same_v<Command, TextCommand> ||
+                                    std::is_same_v<Command, RadioPacketSample> ||
+                                    std::is_same_v<Command, BytesSample>;
   static constexpr std::size_t kDepth = kAllCount ? InPort<Command>::kDepth : 1;
 
   explicit Mailbox(const Surroundings& around)
@@ -175,6 +180,31 @@ class TopicBinding : public MailboxBinding<Command> {
   ros::Subscriber subscriber_;
 };
 
+/// Messages of any type.
+class BytesBinding : public MailboxBinding<BytesSample> {
+ public:
+  using Event = const ros::MessageEvent<topic_tools::ShapeShifter const>&;
+
+  BytesBinding(const Surroundings& around, InPort<BytesSample>& port)
+      : MailboxBinding<BytesSample>(port, around) {
+    ros::SubscribeOptions options;
+    const auto inbox = [mailbox = mailbox(),
+                        headers = std::make_shared<HeaderCheck>()](Event event) {
+      mailbox->put(to_bytes(*event.getConstMessage(), *headers), event.getPublisherName());
+    };
+    options.initByFullCallbackType<Event>("/" + port.name(), Mailbox<BytesSample>::kDepth, inbox);
+    options.callback_queue = &around.queue;
+    options.transport_hints = ros::TransportHints().tcpNoDelay();
+    subscriber_ = around.node.subscribe(options);
+  }
+
+  std::uint32_t publishers() const final { return subscriber_.getNumPublishers(); }
+  ros_utils::TopicType type() const final { return ros_utils::topic_type("/" + port().name()); }
+
+ private:
+  ros::Subscriber subscriber_;
+};
+
 /// Answers at once; what was asked for is done in the next step.
 class ServiceBinding : public MailboxBinding<ServiceCommand> {
  public:
@@ -197,6 +227,12 @@ class ServiceBinding : public MailboxBinding<ServiceCommand> {
   ros::ServiceServer server_;
 };
 
+/// What the simulator publishes itself is handed over within the step (RadioRelay).
+bool is_own_output(const PortBase& port, const PortBoard& board) {
+  return dynamic_cast<const InPort<BytesSample>*>(&port) != nullptr &&
+         board.find(port.name(), PortDirection::kOut) != nullptr;
+}
+
 template <class Command, class Binding>
 std::unique_ptr<InputBinding> try_bind(const Surroundings& around, PortBase& port) {
   auto* typed = dynamic_cast<InPort<Command>*>(&port);
@@ -216,6 +252,7 @@ constexpr BindFunction kBindFunctions[] = {
     try_bind<JointCommand, TopicBinding<JointCommand, sensor_msgs::JointState>>,
     try_bind<TriggerCommand, TopicBinding<TriggerCommand, std_msgs::Empty>>,
     try_bind<RadioPacketSample, TopicBinding<RadioPacketSample, trident_msgs::RadioPacket>>,
+    try_bind<BytesSample, BytesBinding>,
     try_bind<TextCommand, TopicBinding<TextCommand, std_msgs::String>>,
     try_bind<ServiceCommand, ServiceBinding>,
 };
@@ -243,6 +280,7 @@ void InputBinder::forget_gone_ports() {
 
 /// nullptr: there is no topic or service of this type.
 std::unique_ptr<InputBinding> InputBinder::bind(PortBase& port) {
+  if (is_own_output(port, board_)) return nullptr;
   const Surroundings around{node_, queue_, bell_, repeatability_};
   for (const BindFunction bind_type : kBindFunctions) {
     if (std::unique_ptr<InputBinding> binding = bind_type(around, port)) return binding;

@@ -14,6 +14,7 @@
 #include "run/repeatability.h"
 #include "trident_ros/inline_callback_queue.h"
 #include "trident_sim/port.h"
+#include "trident_sim_ros/output_topic.h"
 
 namespace trident::sim {
 
@@ -43,13 +44,17 @@ class InputBinding {
   virtual std::uint64_t received() const = 0;
   virtual std::uint32_t publishers() const = 0;
 
+  /// Of its messages, of an input of bytes as far as it is known; "" as name: it is not.
+  virtual ros_utils::TopicType type() const { return {}; }
+
   virtual void hold() { is_held = true; }
   bool is_held = false;  ///< somebody else says when messages are handed over
 };
 
 /// Keeps a subscription per input of a board that ROS can serve (velocities, numbers, poses, paths,
-/// triggers, texts), and a service per request. A message waits, the newest in place of those
-/// before but for texts, until the stepping thread hands it to the port.
+/// triggers, texts, bytes), and a service per request. An input of bytes whose name an output has,
+/// too, is not served: see RadioRelay. A message waits, the newest in place of those before but for
+/// texts, packets and bytes, until the stepping thread hands it to the port.
 class InputBinder {
  public:
   /// What comes while the world runs, and is not held, is noted in `repeatability`.
@@ -70,13 +75,14 @@ class InputBinder {
   std::uint32_t publishers(const std::string& port) const;
   /// Sleeps until a message comes to any input, or for `limit`.
   void wait_for_message(std::chrono::milliseconds limit) { bell_->wait(limit); }
+  /// nullptr: there is no such input, or ROS cannot serve it. Valid until the next sync().
+  InputBinding* find(const std::string& port) const;
 
  private:
   ros::NodeHandle& node_;
   PortBoard& board_;
   Repeatability& repeatability_;
   std::uint64_t version_ = 0;
-  InputBinding* find(const std::string& port) const;
   void forget_gone_ports();
   std::unique_ptr<InputBinding> bind(PortBase& port);
 

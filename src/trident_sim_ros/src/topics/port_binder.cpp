@@ -69,6 +69,19 @@ void PortBinder::sync() {
   rebuild_active();
 }
 
+OutputBinding* PortBinder::find(const std::string& port) const {
+  const auto found = entries_.find(port);
+  return found == entries_.end() ? nullptr : found->second.binding.get();
+}
+
+OutputBinding* PortBinder::tap(const std::string& port) {
+  OutputBinding* const binding = find(port);
+  if (binding == nullptr || binding->is_tapped) return binding;
+  binding->is_tapped = true;
+  advertiser_.note_change();
+  return binding;
+}
+
 std::uint32_t PortBinder::subscribers(const std::string& port) const {
   std::uint32_t count = 0;
   for (const auto& [topic, entry] : entries_) {
@@ -93,7 +106,7 @@ std::vector<OutputBinding*> PortBinder::hold_back_odometry(const std::string& pr
 /// state to wait for an answer to.
 bool PortBinder::is_needed(const Entry& entry) {
   return entry.binding->subscribers() > 0 || entry.binding->is_latched() ||
-         (entry.held_back && entry.binding->wanted());
+         entry.binding->is_tapped || (entry.held_back && entry.binding->wanted());
 }
 
 void PortBinder::scan_subscribers() {
@@ -145,6 +158,7 @@ void PortBinder::publish_fresh(PortRank first, PortRank last, bool every_step) {
 /// What is for a display only waits until one is due, or until the world stands.
 void PortBinder::publish_if_fresh(OutputBinding& binding, bool is_display_due) {
   if (!binding.take_fresh()) return;
+  if (binding.is_tapped && binding.subscribers() == 0 && !binding.is_latched()) return;
   binding.is_late = binding.is_for_display() && !is_display_due;
   if (!binding.is_late) binding.publish();
 }

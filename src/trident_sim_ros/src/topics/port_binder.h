@@ -32,6 +32,10 @@ class PortBinder {
   /// back. Unless `every_step`, joint states, which only displays need, keep to a wall rate: each
   /// one makes a robot_state_publisher ask the master for its tf_prefix.
   void publish_fresh(PortRank first, PortRank last, bool every_step);
+  /// nullptr: the port has no topic of its name. Valid until the next sync().
+  OutputBinding* find(const std::string& port) const;
+  /// As find(); the port is wanted from now on.
+  OutputBinding* tap(const std::string& port);
   /// How many read the topic of a port; 0 where there is no such port.
   std::uint32_t subscribers(const std::string& port) const;
   /// Bindings of odometry in a namespace ("UAV1/"), which the lockstep sends itself.
