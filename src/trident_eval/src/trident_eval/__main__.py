@@ -20,6 +20,8 @@ from trident_eval.core.errors import EvalError
 from trident_eval.core.exit_codes import exit_code_of
 from trident_eval.core.faults import add_faults, read_faults
 from trident_eval.core.flight_records import Command, read_command
+from trident_eval.core.link_plots import draw_links
+from trident_eval.core.links import add_links, read_links
 from trident_eval.core.log_warnings import log_warnings
 from trident_eval.core.mission_plots import draw_missions
 from trident_eval.core.missions import judge_missions, read_missions
@@ -81,6 +83,7 @@ def _verdict(options: argparse.Namespace) -> int:
         scene, verdict = _judge_folder(folder)
     except EvalError as error:
         verdict = _without_results(folder, error)
+    add_links(verdict, folder)
     add_faults(verdict, read_faults(folder), notes)
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)
@@ -117,6 +120,7 @@ def _recover(options: argparse.Namespace) -> int:
 
 def _tour_verdict(folder: Path, record: dict[str, Any], notes: list[str], draw: bool) -> int:
     found, verdict = tour.judge_tour(folder, record)
+    add_links(verdict, folder)
     add_faults(verdict, read_faults(folder), notes)
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)
@@ -131,6 +135,7 @@ def _report(options: argparse.Namespace) -> int:
     source: Path = options.source
     if source.is_dir():
         scene, verdict = _judge_folder(source)
+        add_links(verdict, source)
         add_faults(verdict, read_faults(source), [])
         numbers: dict[str, Any] | None = verdict.to_json()
         folder = options.out or source
@@ -164,8 +169,16 @@ def _judge_folder(folder: Path) -> tuple[Scene, Verdict]:
     return Scene(title, tracks), verdict
 
 
-def _draw(scene: Scene, source: Path, folder: Path) -> list[Path]:
-    """The pictures of a scene in the order of the report; an animation is shown, not made."""
+def _draw(scene: Scene | None, source: Path, folder: Path) -> list[Path]:
+    """The pictures in the order of the report: of a scene, and of radios where there are any."""
+    pictures = _draw_scene(scene, source, folder) if scene else []
+    if source.is_dir() and (links := read_links(source)):
+        pictures += draw_links(links, source.resolve().name, folder)
+    return pictures
+
+
+def _draw_scene(scene: Scene, source: Path, folder: Path) -> list[Path]:
+    """The pictures of a scene; an animation is shown, not made."""
     pictures = draw_all(scene, folder)
     if source.is_dir() and (missions := read_missions(source)):
         pictures = draw_missions(scene.tracks, missions, scene.title, folder) + pictures
@@ -191,7 +204,7 @@ def write_report(
     Raises:
         EvalError: a file of the run is not what it should be.
     """
-    pictures = _draw(scene, source, folder) if scene else []
+    pictures = _draw(scene, source, folder)
     provenance = read_provenance(source) if source.is_dir() else Provenance()
     report = Report(
         title=source.resolve().name,

@@ -35,6 +35,7 @@ _CAPTIONS = {
     "formation_error": "Error of the shape, after the rigid motion that fits it best.",
     "separation": "Distance of the closest two vehicles.",
     "tracking_error": "Distance of each vehicle to its set-point.",
+    "links": "Signal over noise between radios with traffic, and messages delivered per second.",
     "animation": "Plan view in time; hollow circles: the vehicles' set-points.",
 }
 _MIME = {".png": "image/png", ".gif": "image/gif"}

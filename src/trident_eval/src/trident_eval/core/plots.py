@@ -308,6 +308,11 @@ def color(index: int) -> str:
     return _COLORS[index % len(_COLORS)]
 
 
+def dashes(index: int) -> str:
+    """Kind of line of what has color(index): another one where the colors begin again."""
+    return ("-", "-.")[index // len(_COLORS) % 2]
+
+
 def label(scene: Scene, name: str) -> str:
     """What a legend says of a vehicle; nothing where there are too many for one."""
     return name if len(scene.tracks.names) <= MANY else "_nolegend_"

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,6 +22,7 @@ _ROWS = (
 )
 _BELOW = {"formation_rms_m": "formation_rms_limit_m"}
 _MIN_LIMITS = {"min_separation_m": "min_separation_limit_m"}
+_TOPIC_OF_RULE = re.compile(r"\((.+)\)$")
 
 
 @dataclass(frozen=True)
@@ -49,7 +51,8 @@ def verdict_rows(verdict: dict[str, Any]) -> list[Row]:
             shown.append(_row(verdict, label, key, unit))
     shown += _not_repeatable(verdict)
     platforms: dict[str, dict[str, Any]] = verdict.get("platforms") or {}
-    return shown + [_platform_row(name, numbers) for name, numbers in platforms.items()]
+    shown += [_platform_row(name, numbers) for name, numbers in platforms.items()]
+    return shown + [_relay_row(numbers) for numbers in verdict.get("relay") or []]
 
 
 def _not_repeatable(verdict: dict[str, Any]) -> list[Row]:
@@ -69,6 +72,25 @@ def _platform_row(name: str, numbers: dict[str, Any]) -> Row:
     error = "unknown" if rms is None else _text(rms, "m")
     value = f"{places}{done}, tracking RMS {error}"
     return Row(name, value, f"all, at most {_text(limit, 'm')}", is_satisfied)
+
+
+def _relay_row(numbers: dict[str, Any]) -> Row:
+    """What arrived of one robot's topic at another robot by radio."""
+    named = _TOPIC_OF_RULE.search(numbers["rule"])
+    topic = named[1] if named else numbers["rule"]
+    value = f"{numbers['delivered']} of {numbers['offered']}"
+    if numbers["delivered"]:
+        mean, longest = numbers["delay_mean_s"], numbers["delay_max_s"]
+        value += f", delay {_delay_text(mean)}, at most {_delay_text(longest)}"
+    deadline_s, is_satisfied = numbers["deadline_s"], numbers["satisfied"]
+    limit = f"delay at most {deadline_s:g} s" if deadline_s else ""
+    has_limit = bool(limit) or not is_satisfied
+    label = f"{topic} {numbers['source']} -> {numbers['destination']}"
+    return Row(label, value, limit, is_satisfied if has_limit else None)
+
+
+def _delay_text(delay_s: float) -> str:
+    return f"{1e3 * delay_s:.1f} ms" if delay_s < 1.0 else f"{delay_s:.2f} s"
 
 
 def table(verdict: dict[str, Any]) -> str:

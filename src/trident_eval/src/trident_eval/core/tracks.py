@@ -52,13 +52,14 @@ class Tracks:
         return Tracks(self.names, self.time[inside], self.position[inside])
 
 
-def _whole_lines(stream: Iterable[str]) -> Iterator[str]:
+def whole_lines(stream: Iterable[str]) -> Iterator[str]:
+    """The lines without a last one that has no end."""
     return (line for line in stream if line.endswith(("\n", "\r")))
 
 
 def _reader(path: Path, stream: Iterable[str]) -> csv.DictReader[str]:
     """The rows, whose columns have been checked."""
-    reader = csv.DictReader(_whole_lines(stream))
+    reader = csv.DictReader(whole_lines(stream))
     missing = [name for name in _NEEDED if name not in (reader.fieldnames or [])]
     if missing:
         raise EvalError(f"{path}:1: no column {', '.join(missing)}; legal: t,name,x,y,z,...")
