@@ -15,6 +15,7 @@ from pathlib import Path
 from trident_tool.building import build, is_built, make_configured
 from trident_tool.evaluation import add_evaluation_commands
 from trident_tool.formation import add_formation_commands
+from trident_tool.links import add_links_command
 from trident_tool.lint import CHECKS, run_checks
 from trident_tool.navigation import add_navigation_commands
 from trident_tool.needed_packages import targets_of_launch
@@ -52,6 +53,7 @@ COMMANDS = (
     "evaluate",
     "slam",
     "view",
+    "links",
     "posegraph",
     "worldmap",
     "worldgen",
@@ -187,6 +189,7 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
     )
 
     _add_view(add)
+    add_links_command(add)
 
     sub = add("shell", _cmd_shell, "a shell in which the workspace is sourced")
     sub.add_argument("-c", dest="command", metavar="COMMAND", help="run this instead")
