@@ -182,6 +182,9 @@ catkin_add_gtest(trident_sim_comms_test
   test/comms/radio_plugins_test.cpp
   test/comms/relay_ports_test.cpp
   test/comms/relay_test.cpp
+  test/comms/routing_mesh.cpp
+  test/comms/routing_repair_test.cpp
+  test/comms/routing_test.cpp
 )
 target_link_libraries(trident_sim_comms_test trident_sim_test_support ${GTEST_MAIN_LIBRARIES})
 target_include_directories(trident_sim_comms_test PRIVATE src)  # parts of the core

@@ -33,6 +33,7 @@ struct RadioQos {
 struct RadioLimits {
   std::size_t queue_bytes = 0;   ///< of each priority
   double broadcast_bit_s = 0.0;  ///< rate of what goes to all
+  bool is_base_station = false;  ///< routes rather lead over it
 };
 
 /// What a radio has received.
@@ -92,6 +93,8 @@ class Radio {
   virtual std::vector<RadioLink> links(const std::string& source = "") = 0;
   /// Throws Error as send().
   virtual RadioLimits limits(const std::string& name) = 0;
+  /// Of the data of a frame that the source would send now. Throws Error as send().
+  virtual double rate_bit_s(const std::string& source, const std::string& destination) = 0;
   /// Until that time a radio neither sends nor hears (destination ""), or hears nothing of another
   /// one, nor that of it; a time that is over ends it. Throws Error as send().
   virtual void set_outage(const std::string& source, const std::string& destination,
@@ -129,6 +132,9 @@ class RelayReport {
   virtual ~RelayReport() = default;
   /// By rule, source and destination, as far as there was anything.
   virtual std::vector<RelayFlow> flows() const = 0;
+  /// From a robot over all hops to another one; ends where no route is known.
+  virtual std::vector<std::string> route(const std::string& source,
+                                         const std::string& destination) const = 0;
 };
 
 /// How the plugin that makes a world's air for radios hands it on: on the output port kRadioPort,

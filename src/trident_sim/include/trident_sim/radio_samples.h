@@ -43,6 +43,7 @@ struct LinkStatusSample {
   std::uint64_t dropped_queue = 0, dropped_air = 0, expired = 0;
   bool is_up = false;              ///< a short frame at the lowest rate arrives more often than not
   bool has_line_of_sight = false;  ///< nothing is in the path
+  std::vector<std::string> route;  ///< of what rules send from the source on, both ends included
 };
 
 /// Links of one moment (trident_msgs/LinkStatusArray).

@@ -149,6 +149,61 @@ TEST(RelayPorts, ReliableOnesSurviveAnOutage) {
   EXPECT_EQ(flows.back().counts.delivered, 100u);
 }
 
+constexpr const char* kRoutedRules = R"(
+routing: true
+radio: {tx_power: 10.0}
+model: {path: free_space, shadowing_sigma: 0}
+rules:
+  - {topic: detections, from: [a], to: [b], reliability: reliable, depth: 100, deadline: 5.0}
+  - {topic: pose, from: [a], to: [b], depth: 1, deadline: 0.5}
+)";
+
+TEST(RelayPorts, WhatIsOutOfReachGoesOverARobotBetween) {
+  RelayWorld two(kRoutedRules, 1600.0);  // twice as far as a radio reaches
+  std::vector<std::string> heard, sent, poses;
+  for (int i = 0; i < 20; ++i) {
+    two.write("a/detections", std::string(3000, 'x') + std::to_string(i));
+    two.step(10, "b/from/a/detections", &heard);
+  }
+  EXPECT_TRUE(heard.empty());
+  const auto relay = find_relay(*two.world);
+  EXPECT_EQ(relay->route("a", "b"), (std::vector<std::string>{"a"}));
+  two.add("c", 800.0);
+  std::vector<std::string> late;
+  two.step(600, "b/from/a/detections", &late);
+  EXPECT_EQ(relay->route("a", "b"), (std::vector<std::string>{"a", "c", "b"}));
+  heard.clear();
+  for (int i = 0; i < 200; ++i) {
+    sent.push_back(std::string(3000, 'x') + std::to_string(i));
+    two.write("a/detections", sent.back());
+    two.write("a/pose", std::to_string(i));
+    two.step(10, "b/from/a/detections", &heard);
+    const auto* const port = two.world->ports().find_out<BytesSample>("b/from/a/pose");
+    if (port->count() > poses.size()) poses.push_back(*port->value.data);
+  }
+  EXPECT_EQ(heard, sent);
+  EXPECT_GT(poses.size(), 195u);
+}
+
+TEST(RelayPorts, ARobotThatPassedOnAndIsOutIsGoneRound) {
+  RelayWorld two(kRoutedRules, 1600.0);
+  two.add("c", 800.0);
+  two.add("d", 810.0);
+  std::vector<std::string> heard;
+  two.step(300, "b/from/a/detections", &heard);
+  const auto relay = find_relay(*two.world);
+  const auto route = relay->route("a", "b");
+  ASSERT_EQ(route.size(), 3u);
+  find_radio(*two.world)->set_outage(route[1], "", SimTime::from_seconds(1e6));
+  two.step(100, "b/from/a/detections", &heard);
+  const auto other = relay->route("a", "b");
+  ASSERT_EQ(other.size(), 3u);
+  EXPECT_NE(other[1], route[1]);
+  two.write("a/detections", "after a second");
+  two.step(5, "b/from/a/detections", &heard);
+  EXPECT_EQ(heard, (std::vector<std::string>{"after a second"}));
+}
+
 std::vector<std::string> flight(const WorldOptions& options, bool with_snapshot,
                                 std::string* hash) {
   RelayWorld two(kRules, 1000.0, {}, options);  // some frames are lost

@@ -48,7 +48,8 @@ class LossyRadio : public Radio {
     }
     return result;
   }
-  RadioLimits limits(const std::string&) override { return {100000, 6e6}; }
+  RadioLimits limits(const std::string&) override { return {100000, 6e6, false}; }
+  double rate_bit_s(const std::string&, const std::string&) override { return 65e6; }
   std::vector<RadioLink> links(const std::string& source) override {
     RadioLink link;
     link.source = source;
@@ -103,7 +104,7 @@ struct Rig {
     for (const RelayMessage& m : messages) relay.offer(0, "a", m, radio.now, radio);
     relay.send(radio.now, radio);
     radio.now = radio.now + kStep;
-    for (RelayDelivery& delivery : relay.receive(radio)) {
+    for (RelayDelivery& delivery : relay.receive(radio.now, radio)) {
       EXPECT_LE(delivery.received, radio.now);
       received[delivery.destination].push_back(std::stoull(*delivery.message.data));
       bytes.push_back(delivery.message.data->size());

@@ -29,7 +29,7 @@ void convert(const LinkStatusSample& sample, trident_msgs::LinkStatus& message) 
   message.expired = sample.expired;
   message.up = sample.is_up ? 1 : 0;
   message.line_of_sight = sample.has_line_of_sight ? 1 : 0;
-  message.route = {sample.source, sample.destination};
+  message.route = sample.route;
 }
 
 }  // namespace

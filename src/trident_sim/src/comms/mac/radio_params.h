@@ -26,6 +26,7 @@ struct RadioParams {
   int tries = 7;                        ///< before a packet is given up
   std::size_t queue_bytes = 1000000;    ///< of each priority
   std::int64_t processing_ns = 200000;  ///< from the air to the user
+  bool is_base_station = false;         ///< routes rather lead over it
 };
 
 constexpr int kRadioPriorities = 4;  ///< 0 goes first

@@ -43,12 +43,17 @@ LinkStatusSample LinkReporter::status(const RadioLink& link, double elapsed_s) c
   return result;
 }
 
-void LinkReporter::report(const std::vector<RadioLink>& links, SimTime now,
-                          LinkStatusArraySample* sample) {
+void LinkReporter::report(const std::vector<RadioLink>& links, const RelayReport* relay,
+                          SimTime now, LinkStatusArraySample* sample) {
   const double elapsed_s = (now - last_time_).seconds();
   sample->stamp = now;
   sample->links.clear();
-  for (const RadioLink& link : links) sample->links.push_back(status(link, elapsed_s));
+  for (const RadioLink& link : links) {
+    sample->links.push_back(status(link, elapsed_s));
+    std::vector<std::string>& route = sample->links.back().route;
+    route = {link.source, link.destination};
+    if (relay != nullptr) route = relay->route(link.source, link.destination);
+  }
   for (const RadioLink& link : links) last_[{link.source, link.destination}] = link;
   last_time_ = now;
 }

@@ -17,7 +17,9 @@ namespace trident::sim {
 /// since the last report.
 class LinkReporter {
  public:
-  void report(const std::vector<RadioLink>& links, SimTime now, LinkStatusArraySample* sample);
+  /// `relay` has the routes; nullptr: there are only links.
+  void report(const std::vector<RadioLink>& links, const RelayReport* relay, SimTime now,
+              LinkStatusArraySample* sample);
   void clear() { *this = LinkReporter(); }
   void state(StateArchive& archive) { archive(last_, last_time_); }
 

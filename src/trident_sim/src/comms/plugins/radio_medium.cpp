@@ -232,7 +232,14 @@ std::vector<RadioMessage> RadioMedium::receive(const std::string& name, int port
 
 RadioLimits RadioMedium::limits(const std::string& name) {
   const RadioParams& params = links_.end(number(name)).params;
-  return {params.queue_bytes, 1e6 * params.broadcast_mbit_s};
+  return {params.queue_bytes, 1e6 * params.broadcast_mbit_s, params.is_base_station};
+}
+
+double RadioMedium::rate_bit_s(const std::string& source, const std::string& destination) {
+  const int from = number(source);
+  const RadioParams& params = links_.end(from).params;
+  return vht::data_rate(channel_.mcs(from, number(destination)), params.width_mhz,
+                        params.has_short_guard);
 }
 
 RadioLink RadioMedium::link(int source, int destination) {
@@ -249,8 +256,7 @@ RadioLink RadioMedium::link(int source, int destination) {
   result.rssi_dbm = from.params.tx_power_dbm - result.loss_db;
   result.snr_db = result.rssi_dbm - noise_power_dbm(to.params.width_mhz, to.params.noise_figure_db);
   result.mcs = channel_.mcs(source, destination);
-  result.rate_bit_s =
-      vht::data_rate(result.mcs, from.params.width_mhz, from.params.has_short_guard);
+  result.rate_bit_s = rate_bit_s(from.name, to.name);
   constexpr std::size_t kLongBytes = 1500, kShortBytes = 100;
   result.packet_error_rate = packet_error_rate(result.mcs, result.snr_db, kLongBytes);
   result.is_up = packet_error_rate(0, result.snr_db, kShortBytes) < 0.5;

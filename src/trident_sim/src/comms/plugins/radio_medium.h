@@ -59,6 +59,7 @@ class RadioMedium : public Radio, private LinkLosses {
             const RadioQos& qos) override;
   std::vector<RadioMessage> receive(const std::string& name, int port) override;
   RadioLimits limits(const std::string& name) override;
+  double rate_bit_s(const std::string& source, const std::string& destination) override;
   std::vector<RadioLink> links(const std::string& source) override;
   void set_outage(const std::string& source, const std::string& destination,
                   SimTime until) override;

@@ -80,6 +80,7 @@ void read_radio(const PluginParams& params, RadioParams* radio) {
   radio->tries = params.integer("tries", radio->tries, {1, 255});
   radio->queue_bytes = static_cast<std::size_t>(
       params.integer("queue_bytes", static_cast<int>(radio->queue_bytes), {2000, 1e9}));
+  radio->is_base_station = params.flag("base_station", radio->is_base_station);
   const double processing_s = 1e-9 * static_cast<double>(radio->processing_ns);
   radio->processing_ns =
       SimTime::from_seconds(params.number("processing", processing_s, {0.0, 1.0})).ns;
@@ -166,7 +167,7 @@ class RadioPlugin : public Plugin {
     if (radio == nullptr) return;
     if (received_->wanted()) publish_received(*radio);
     if (!clock_.is_due(info) || !status_->wanted()) return;
-    reporter_.report(radio->links(name()), info.end, &status_->value);
+    reporter_.report(radio->links(name()), find_relay(world_).get(), info.end, &status_->value);
     status_->publish();
   }
 
@@ -358,7 +359,7 @@ class RadioMediumPlugin : public Plugin {
     radio_->value.radio = medium_;
     links_ = advertise<LinkStatusArraySample>(context, "radio/links", PortRank::kState);
     if (file.rules.empty()) return;
-    relay_ = std::make_shared<RelayPorts>(world, file.rules, rules_file_);
+    relay_ = std::make_shared<RelayPorts>(world, file, rules_file_);
     radio_->value.relay = relay_;
   }
 
@@ -373,7 +374,7 @@ class RadioMediumPlugin : public Plugin {
     medium_->step(info);
     if (relay_ != nullptr) relay_->receive(info.end, *medium_);
     if (!clock_.is_due(info) || !links_->wanted()) return;
-    reporter_.report(medium_->links(""), info.end, &links_->value);
+    reporter_.report(medium_->links(""), relay_.get(), info.end, &links_->value);
     links_->publish();
   }
   void reset() override {

@@ -17,10 +17,11 @@ constexpr SimTime kFarAhead{10'000'000'000};
 
 }  // namespace
 
-RelayPorts::RelayPorts(World& world, std::vector<RelayRule> rules, std::string file)
+RelayPorts::RelayPorts(World& world, const RelayFile& rules, std::string file)
     : world_(world),
       file_(std::move(file)),
-      relay_(std::move(rules), [this](const std::string& text) { report(text); }) {}
+      relay_(
+          rules.rules, [this](const std::string& text) { report(text); }, rules.has_routing) {}
 
 void RelayPorts::report(const std::string& text) {
   world_.report(Severity::kWarning, file_ + ": " + text);
@@ -144,7 +145,7 @@ void RelayPorts::publish(const RelayDelivery& delivery) {
 
 void RelayPorts::receive(SimTime end, Radio& radio) {
   fresh_.clear();
-  for (const RelayDelivery& delivery : relay_.receive(radio)) publish(delivery);
+  for (const RelayDelivery& delivery : relay_.receive(end, radio)) publish(delivery);
   for (OutPort<BytesSample>* port : fresh_) port->publish();
   if (!has_looked_for_idle_ && end >= kIdle) report_idle_rules();
 }

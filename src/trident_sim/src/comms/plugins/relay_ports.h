@@ -21,7 +21,7 @@ namespace trident::sim {
 class RelayPorts : public RelayReport {
  public:
   /// `world` must outlive it; `file` names the rules in reports.
-  RelayPorts(World& world, std::vector<RelayRule> rules, std::string file);
+  RelayPorts(World& world, const RelayFile& rules, std::string file);
 
   /// Radios that are there now: ports follow.
   void set_robots(const std::vector<std::string>& robots);
@@ -33,6 +33,10 @@ class RelayPorts : public RelayReport {
   void state(StateArchive& archive);
 
   std::vector<RelayFlow> flows() const override;
+  std::vector<std::string> route(const std::string& source,
+                                 const std::string& destination) const override {
+    return relay_.network().route(source, destination);
+  }
 
  private:
   struct Input {

@@ -5,45 +5,15 @@
 
 #include <algorithm>
 
+#include "comms/relay/wire.h"
+
 namespace trident::sim {
 namespace {
 
 constexpr char kPart = 'P', kAck = 'A';
 
-template <class Number>
-void put(Number value, std::string* to) {
-  const auto bits = static_cast<std::uint64_t>(value);
-  for (std::size_t i = 0; i < sizeof(Number); ++i) {
-    to->push_back(static_cast<char>(static_cast<std::uint8_t>(bits >> (8 * i))));
-  }
-}
-
-/// Reads fields one after the other; after one that is not there nothing is read any more.
-class Fields {
- public:
-  explicit Fields(std::string_view bytes) : rest_(bytes) {}
-
-  template <class Number>
-  Number get() {
-    if (rest_.size() < sizeof(Number)) {
-      is_whole_ = false;
-      rest_ = {};
-      return {};
-    }
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < sizeof(Number); ++i) {
-      bits |= std::uint64_t{static_cast<std::uint8_t>(rest_[i])} << (8 * i);
-    }
-    rest_.remove_prefix(sizeof(Number));
-    return static_cast<Number>(bits);
-  }
-  bool is_whole() const { return is_whole_; }
-  std::string_view rest() const { return rest_; }
-
- private:
-  std::string_view rest_;
-  bool is_whole_ = true;
-};
+using wire::Fields;
+using wire::put;
 
 }  // namespace
 

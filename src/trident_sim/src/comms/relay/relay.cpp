@@ -39,11 +39,12 @@ bool Relay::Key::operator<(const Key& other) const {
          std::tie(other.rule, other.source, other.destination);
 }
 
-Relay::Relay(std::vector<RelayRule> rules, Report report)
-    : rules_(std::move(rules)), report_(std::move(report)) {}
+Relay::Relay(std::vector<RelayRule> rules, Report report, bool has_routing)
+    : rules_(std::move(rules)), report_(std::move(report)), network_(has_routing) {}
 
 void Relay::set_robots(const std::vector<std::string>& robots) {
   robots_ = robots;
+  network_.set_robots(robots);
   drop_flows_of_others(robots_, &senders_);
   drop_flows_of_others(robots_, &reliable_);
   drop_flows_of_others(robots_, &best_effort_);
@@ -54,6 +55,7 @@ void Relay::set_robots(const std::vector<std::string>& robots) {
 }
 
 void Relay::reset() {
+  network_.reset();
   topics_.clear();
   senders_.clear();
   reliable_.clear();
@@ -173,13 +175,14 @@ void Relay::send_once(const Key& key, const RelayMessage& message, std::uint64_t
   for (; part.part < part.parts && is_sent; ++part.part) {
     part.data = std::string_view(*message.data).substr(part.part * kPartBytes, kPartBytes);
     qos.history.is_begin = part.part == 0;
-    is_sent = radio.send(key.source, key.destination, encode(part), qos);
+    is_sent = network_.send(key.source, key.destination, encode(part), qos, now, radio);
     counts.datagrams += is_sent ? 1 : 0;
   }
   if (!is_sent) ++counts.refused;
 }
 
 void Relay::send(SimTime now, Radio& radio) {
+  network_.send_hellos(now, radio);
   for (auto& [key, sender] : senders_) {
     if (sender.is_idle()) continue;
     RelayCounts& counts = counts_[key];
@@ -188,7 +191,7 @@ void Relay::send(SimTime now, Radio& radio) {
     qos.priority = rules_[key.rule].priority;
     while (const auto part = sender.next(now, &counts)) {
       // A full queue is not a loss: it is tried again in the next step.
-      if (!radio.send(key.source, key.destination, encode(*part), qos)) break;
+      if (!network_.send(key.source, key.destination, encode(*part), qos, now, radio)) break;
       sender.sent(now, &counts);
     }
   }
@@ -229,7 +232,7 @@ void Relay::take(const std::string& receiver, const RadioMessage& packet,
   }
 }
 
-void Relay::acknowledge(Radio& radio) {
+void Relay::acknowledge(SimTime now, Radio& radio) {
   for (auto& [key, receiver] : reliable_) {
     const auto ack = receiver.take_ack();
     if (!ack) continue;
@@ -237,18 +240,18 @@ void Relay::acknowledge(Radio& radio) {
     qos.port = kRelayPort;
     qos.priority = rules_[key.rule].priority;
     // One that is lost is followed by the next, at the latest when its parts are sent again.
-    radio.send(key.destination, key.source, encode(*ack), qos);
+    network_.send(key.destination, key.source, encode(*ack), qos, now, radio);
   }
 }
 
-std::vector<RelayDelivery> Relay::receive(Radio& radio) {
+std::vector<RelayDelivery> Relay::receive(SimTime now, Radio& radio) {
   std::vector<RelayDelivery> deliveries;
   for (const std::string& robot : robots_) {
-    for (const RadioMessage& packet : radio.receive(robot, kRelayPort)) {
+    for (const RadioMessage& packet : network_.receive(robot, radio)) {
       take(robot, packet, &deliveries);
     }
   }
-  acknowledge(radio);
+  acknowledge(now, radio);
   std::stable_sort(deliveries.begin(), deliveries.end(),
                    [](const auto& a, const auto& b) { return a.received < b.received; });
   return deliveries;

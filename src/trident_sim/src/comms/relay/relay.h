@@ -11,14 +11,12 @@
 
 #include "comms/relay/best_effort_flow.h"
 #include "comms/relay/relay_message.h"
+#include "comms/relay/relay_network.h"
 #include "comms/relay/relay_rules.h"
 #include "comms/relay/reliable_flow.h"
 #include "trident_sim/radio.h"
 
 namespace trident::sim {
-
-/// Of the radios, that relays listen on.
-constexpr int kRelayPort = 1;
 
 /// A message that has crossed.
 struct RelayDelivery {
@@ -35,9 +33,10 @@ class Relay {
   using Report = std::function<void(const std::string&)>;
 
   /// `report`: takes what a user should know.
-  Relay(std::vector<RelayRule> rules, Report report);
+  Relay(std::vector<RelayRule> rules, Report report, bool has_routing = false);
 
   const std::vector<RelayRule>& rules() const { return rules_; }
+  const RelayNetwork& network() const { return network_; }
   /// Robots with radios, now. What others had sent or were to receive is void.
   void set_robots(const std::vector<std::string>& robots);
   /// A message of a robot's topic that counts now.
@@ -46,7 +45,7 @@ class Relay {
   /// Gives the radios what reliable flows have to send.
   void send(SimTime now, Radio& radio);
   /// Takes what the radios have received, acknowledges, and returns what is whole, by time.
-  std::vector<RelayDelivery> receive(Radio& radio);
+  std::vector<RelayDelivery> receive(SimTime now, Radio& radio);
   /// By rule, source and destination ("all": by broadcast, as sent).
   struct Key {
     std::size_t rule;
@@ -78,10 +77,11 @@ class Relay {
             std::vector<RelayDelivery>* deliveries);
   void take_part(const Key& key, const PartDatagram& part, SimTime now,
                  std::vector<RelayDelivery>* deliveries);
-  void acknowledge(Radio& radio);
+  void acknowledge(SimTime now, Radio& radio);
 
   std::vector<RelayRule> rules_;
   Report report_;
+  RelayNetwork network_;
   std::vector<std::string> robots_;
   std::map<std::pair<std::size_t, std::string>, Topic> topics_;  ///< by rule and source
   std::map<Key, ReliableSender> senders_;

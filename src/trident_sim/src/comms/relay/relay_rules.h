@@ -68,11 +68,13 @@ struct RelayFile {
   std::map<std::string, std::string> radio;
   /// Elements of libtrident_radio_medium.so, in place of the world's.
   std::map<std::string, std::string> model;
+  bool has_routing = false;  ///< what is for one robot may go over others
   std::vector<RelayRule> rules;
 
   /// Lists the fields for the reader and the reference.
   template <class Archive>
   void visit(Archive& ar) {
+    ar.field("routing", has_routing, "whether robots pass on what is for others");
     ar.field("radio", radio, "elements of libtrident_radio.so, for all radios");
     ar.field("model", model, "elements of libtrident_radio_medium.so");
     ar.field("rules", rules, "what crosses");
