@@ -5,27 +5,15 @@
 #include "comms/plugins/radio_packet_code.h"
 
 #include <cstdint>
+#include <string_view>
 
+#include "comms/wire.h"
 #include "trident_base/error.h"
 
 namespace trident::sim {
 namespace {
 
-constexpr char kMark[] = "TRP1";
-constexpr std::size_t kMarkBytes = 4, kIdBytes = 8, kLengthBytes = 2;
-constexpr std::size_t kHeaderBytes = kMarkBytes + 1 + kIdBytes + kLengthBytes;
-
-void put(std::uint64_t value, std::size_t bytes, std::string* to) {
-  for (std::size_t i = 0; i < bytes; ++i) to->push_back(static_cast<char>(value >> (8 * i)));
-}
-
-std::uint64_t get(const std::string& from, std::size_t place, std::size_t bytes) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < bytes; ++i) {
-    value |= std::uint64_t{static_cast<std::uint8_t>(from[place + i])} << (8 * i);
-  }
-  return value;
-}
+constexpr std::string_view kMark = "TRP1";
 
 }  // namespace
 
@@ -35,25 +23,25 @@ std::string encode_packet(const RadioPacketSample& packet) {
     throw Error("a packet has " + std::to_string(bytes) + " bytes with its topic, legal: at most " +
                 std::to_string(kMaxPacketBytes));
   }
-  std::string result(kMark, kMarkBytes);
-  put(packet.qos, 1, &result);
-  put(packet.id, kIdBytes, &result);
-  put(packet.topic.size(), kLengthBytes, &result);
+  std::string result(kMark);
+  wire::put(packet.qos, &result);
+  wire::put(packet.id, &result);
+  wire::put(static_cast<std::uint16_t>(packet.topic.size()), &result);
   return result + packet.topic + packet.data;
 }
 
 void decode_packet(const std::string& bytes, RadioPacketSample* packet) {
-  packet->topic.clear();
+  wire::Fields fields(bytes);
+  const bool is_packet = fields.text(kMark.size()) == kMark;
+  packet->qos = fields.get<std::uint8_t>();
+  packet->id = fields.get<std::uint64_t>();
+  packet->topic = fields.text(fields.get<std::uint16_t>());
+  packet->data = fields.rest();
+  if (is_packet && fields.is_whole()) return;
   packet->qos = 0;
   packet->id = 0;
+  packet->topic.clear();
   packet->data = bytes;
-  if (bytes.size() < kHeaderBytes || bytes.compare(0, kMarkBytes, kMark) != 0) return;
-  const std::size_t topic = get(bytes, kHeaderBytes - kLengthBytes, kLengthBytes);
-  if (bytes.size() < kHeaderBytes + topic) return;
-  packet->qos = static_cast<std::uint8_t>(bytes[kMarkBytes]);
-  packet->id = get(bytes, kMarkBytes + 1, kIdBytes);
-  packet->topic = bytes.substr(kHeaderBytes, topic);
-  packet->data = bytes.substr(kHeaderBytes + topic);
 }
 
 }  // namespace trident::sim

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "comms/relay/wire.h"
+#include "comms/wire.h"
 
 namespace trident::sim {
 namespace {

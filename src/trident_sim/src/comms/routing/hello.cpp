@@ -5,42 +5,31 @@
 // its name's length and has a byte with the share in six bits and two flags: an offer, a request.
 #include "comms/routing/hello.h"
 
+#include <limits>
+
+#include "comms/wire.h"
+
 namespace trident::sim {
 namespace {
 
 constexpr char kHello = 'H';
 constexpr std::uint8_t kHasOffer = 0x40, kHasRequest = 0x80;
 
-void put_byte(std::uint8_t value, std::string* to) { to->push_back(static_cast<char>(value)); }
-
 void put_number(std::uint32_t value, std::string* to) {
-  for (; value >= 0x80; value >>= 7) put_byte(static_cast<std::uint8_t>(value | 0x80), to);
-  put_byte(static_cast<std::uint8_t>(value), to);
+  for (; value >= 0x80; value >>= 7) wire::put(static_cast<std::uint8_t>(value | 0x80), to);
+  wire::put(static_cast<std::uint8_t>(value), to);
 }
 
-/// Reads fields one after the other; after one that is not there nothing is read any more.
-class HelloReader {
+/// Fields with numbers of that form.
+class HelloFields : public wire::Fields {
  public:
-  explicit HelloReader(std::string_view bytes) : rest_(bytes) {}
+  using Fields::Fields;
 
-  std::uint8_t byte() {
-    const std::string_view one = text(1);
-    return one.empty() ? std::uint8_t{0} : static_cast<std::uint8_t>(one[0]);
-  }
-  std::string_view text(std::size_t size) {
-    if (rest_.size() < size) {
-      fail();
-      return {};
-    }
-    const std::string_view result = rest_.substr(0, size);
-    rest_.remove_prefix(size);
-    return result;
-  }
   /// Only the shortest form of a number is one, and only up to 32 bits.
   std::uint32_t number() {
     std::uint64_t value = 0;
     for (int shift = 0; shift < 35; shift += 7) {
-      const std::uint8_t next = byte();
+      const auto next = get<std::uint8_t>();
       value |= std::uint64_t{next & 0x7fU} << shift;
       if (next >= 0x80) continue;
       const bool is_shortest = next != 0 || shift == 0;
@@ -50,22 +39,12 @@ class HelloReader {
     fail();
     return 0;
   }
-  void fail() {
-    is_whole_ = false;
-    rest_ = {};
-  }
-  bool is_whole() const { return is_whole_; }
-  bool is_at_end() const { return rest_.empty(); }
-
- private:
-  std::string_view rest_;
-  bool is_whole_ = true;
 };
 
-HelloEntry get_entry(HelloReader* fields) {
+HelloEntry get_entry(HelloFields* fields) {
   HelloEntry entry;
-  entry.robot = fields->text(fields->byte());
-  const std::uint8_t flags = fields->byte();
+  entry.robot = fields->text(fields->get<std::uint8_t>());
+  const std::uint8_t flags = fields->get<std::uint8_t>();
   entry.heard = flags & kHeardAll;
   if ((flags & kHasOffer) != 0) {
     entry.offer.label = {fields->number(), fields->number()};
@@ -84,7 +63,7 @@ HelloEntry get_entry(HelloReader* fields) {
 
 std::string encode(const Hello& hello) {
   std::string bytes(1, kHello);
-  put_byte(hello.is_base_station ? 1 : 0, &bytes);
+  wire::put(static_cast<std::uint8_t>(hello.is_base_station), &bytes);
   put_number(hello.number, &bytes);
   put_number(hello.sequence, &bytes);
   for (const HelloEntry& entry : hello.entries) {
@@ -92,9 +71,9 @@ std::string encode(const Hello& hello) {
     std::uint8_t flags = entry.heard;
     if (offer.is_route()) flags |= kHasOffer;
     if (entry.wanted_sequence > 0) flags |= kHasRequest;
-    put_byte(static_cast<std::uint8_t>(entry.robot.size()), &bytes);
+    wire::put(static_cast<std::uint8_t>(entry.robot.size()), &bytes);
     bytes.append(entry.robot);
-    put_byte(flags, &bytes);
+    wire::put(flags, &bytes);
     if (offer.is_route()) {
       put_number(offer.label.sequence, &bytes);
       put_number(offer.label.distance_ns, &bytes);
@@ -106,9 +85,9 @@ std::string encode(const Hello& hello) {
 }
 
 std::optional<Hello> decode_hello(std::string_view bytes) {
-  HelloReader fields(bytes);
-  const std::uint8_t kind = fields.byte();
-  const std::uint8_t base_station = fields.byte();
+  HelloFields fields(bytes);
+  const std::uint8_t kind = fields.get<std::uint8_t>();
+  const std::uint8_t base_station = fields.get<std::uint8_t>();
   Hello hello;
   hello.is_base_station = base_station == 1;
   hello.number = fields.number();
@@ -117,7 +96,7 @@ std::optional<Hello> decode_hello(std::string_view bytes) {
                         hello.number > 0 && hello.sequence > 0;
   if (!is_hello || !fields.is_whole()) return std::nullopt;
   std::string_view last;
-  while (!fields.is_at_end()) {
+  while (!fields.rest().empty()) {
     hello.entries.push_back(get_entry(&fields));
     const std::string_view robot = hello.entries.back().robot;
     if (!fields.is_whole() || robot <= last) return std::nullopt;

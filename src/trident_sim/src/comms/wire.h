@@ -46,15 +46,15 @@ class Fields {
     rest_.remove_prefix(size);
     return result;
   }
-  bool is_whole() const { return is_whole_; }
-  std::string_view rest() const { return rest_; }
-
- private:
+  /// Nothing is read any more: the bytes are something else.
   void fail() {
     is_whole_ = false;
     rest_ = {};
   }
+  bool is_whole() const { return is_whole_; }
+  std::string_view rest() const { return rest_; }
 
+ private:
   std::string_view rest_;
   bool is_whole_ = true;
 };
