@@ -53,7 +53,8 @@ void MoveBaseNode::serve(ros::NodeHandle& node, ros::NodeHandle private_node) {
   links_.recovery =
       node.advertise<move_base_msgs::RecoveryStatus>("move_base/recovery_status", 1, true);
   if (parts_->params.lockstep) {
-    links_.not_repeatable = node.advertise<std_msgs::String>("/gazebo/not_repeatable", 10);
+    // Latched: what is said before the simulator has connected would be lost.
+    links_.not_repeatable = node.advertise<std_msgs::String>("/gazebo/not_repeatable", 10, true);
   }
   links_.simple_goal = node.subscribe<geometry_msgs::PoseStamped>(
       "move_base_simple/goal", 1,
