@@ -16,4 +16,8 @@ struct BytesSample {
   std::string origin;  ///< of an output: name of the input that its messages come from
 };
 
+/// A stamp further ahead of the simulated time than this is of another clock: the message counts
+/// when it comes.
+constexpr SimTime kFarAhead{10'000'000'000};
+
 }  // namespace trident::sim

@@ -233,6 +233,24 @@ TEST(RelayPorts, RunsRepeatWithAndWithoutSnapshotsAndThreads) {
   EXPECT_EQ(other_hash, hash);
 }
 
+TEST(RelayPorts, InWhichOrderRobotsComeBeforeTheFirstStepDoesNotCount) {
+  const auto hash_of = [](bool is_turned) {
+    RelayWorld two("rules:\n  - {topic: pose}\n", 60.0);
+    two.world->remove("b");
+    if (is_turned) two.add("c", 70.0);
+    two.add("b", 60.0);
+    if (!is_turned) two.add("c", 70.0);
+    std::vector<std::string> heard;
+    for (int i = 0; i < 20; ++i) {
+      for (const char* name : {"a", "b", "c"}) two.write(std::string(name) + "/pose", "here");
+      two.step(10, "a/from/b/pose", &heard);
+    }
+    EXPECT_GT(heard.size(), 15u);
+    return two.world->state_hash();
+  };
+  EXPECT_EQ(hash_of(false), hash_of(true));
+}
+
 TEST(RelayPorts, AResetForgetsWhatWaits) {
   RelayWorld two;
   std::vector<std::string> heard;

@@ -60,14 +60,21 @@ bool RadioMedium::is_in_outage_region(int station) {
                      });
 }
 
-void RadioMedium::look() {
-  if (world_.ports().version() == ports_version_) return;
-  ports_version_ = world_.ports().version();
+std::map<std::string, std::shared_ptr<const RadioEnd>> RadioMedium::present_ends() const {
   std::map<std::string, std::shared_ptr<const RadioEnd>> present;
   world_.ports().for_each([&present](const PortBase& port) {
     const auto* end = dynamic_cast<const OutPort<RadioEndSample>*>(&port);
     if (end != nullptr) present[end->value.end->name] = end->value.end;
   });
+  return present;
+}
+
+// Those that have come between two looks are numbered by their names: in which order robots are
+// spawned before time zero is left to chance.
+void RadioMedium::look() {
+  if (world_.ports().version() == ports_version_) return;
+  ports_version_ = world_.ports().version();
+  auto present = present_ends();
   for (auto known = numbers_.begin(); known != numbers_.end();) {
     const auto found = present.find(known->first);
     const bool is_same = found != present.end() && found->second == own_[known->second];
@@ -103,9 +110,8 @@ int RadioMedium::number(const std::string& name) {
 }
 
 std::vector<std::string> RadioMedium::names() {
-  look();
   std::vector<std::string> result;
-  for (const auto& [name, number] : numbers_) result.push_back(name);
+  for (const auto& [name, end] : present_ends()) result.push_back(name);
   return result;
 }
 

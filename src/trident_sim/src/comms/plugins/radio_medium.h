@@ -46,8 +46,6 @@ class RadioMedium : public Radio, private LinkLosses {
   using Override = std::function<void(RadioEnd*)>;
   void set_override(Override change) { override_ = std::move(change); }
 
-  /// Radios that have come or gone since.
-  void look();
   /// Lets happen what happens in a step, whose state at its end is the world's.
   void step(const StepInfo& info);
   /// As no radio had ever sent.
@@ -69,6 +67,9 @@ class RadioMedium : public Radio, private LinkLosses {
   /// Between two names, the first in alphabetical order first.
   using Pair = std::pair<std::string, std::string>;
 
+  std::map<std::string, std::shared_ptr<const RadioEnd>> present_ends() const;
+  /// Follows radios that have come or gone since.
+  void look();
   int number(const std::string& name);
   double loss_db(int a, int b) override;
   static Pair pair_of(const std::string& a, const std::string& b);

@@ -12,8 +12,6 @@ namespace {
 
 // A rule of which nothing was heard by then is a mistake, most likely.
 constexpr SimTime kIdle{5'000'000'000};
-// A stamp further ahead than this is not of simulated time.
-constexpr SimTime kFarAhead{10'000'000'000};
 
 }  // namespace
 
