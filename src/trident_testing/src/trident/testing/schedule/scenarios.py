@@ -83,6 +83,7 @@ SCENARIOS = {
     "recorded": Scenario(_MAIN, _main("time", 4, 5, "record:=true")),
     "cross_domain": Scenario(_CROSS, _coast(8.0), is_judged=False),
     "leader_follower": Scenario(_FOLLOW, _follow(3, 30)),
+    "radio_team": Scenario("radio_team.launch", lambda _: ["duration:=8"], is_judged=False),
     "slam_room": Scenario("slam_room.launch", _tour),
 }
 """What the long campaign runs; each takes some seconds on a machine at rest."""
