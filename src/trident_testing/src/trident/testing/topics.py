@@ -135,7 +135,9 @@ class Pilot:
 
         def is_connected() -> bool:
             listeners = {link.endpoint_id for link in self._publishers[vehicle].impl.connections}
-            return controller in listeners and self._subscribers[index].get_num_connections() > 0
+            # Not just anybody: the connection to one that has ended may still be there.
+            speakers = {link.callerid_pub for link in self._subscribers[index].impl.connections}
+            return controller in listeners and controller in speakers
 
         eventually(is_connected, f"a controller of {vehicle} that takes set-points")
         return self
