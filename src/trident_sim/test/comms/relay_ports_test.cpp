@@ -282,6 +282,15 @@ TEST(RelayPorts, RobotsComeAndGo) {
   EXPECT_EQ(heard.back(), "again");
 }
 
+TEST(RelayPorts, WhatWaitsForItsStampGoesWithItsRobot) {
+  RelayWorld two;
+  two.add("c", 20.0);
+  two.write("c/odometry", "later", SimTime::from_seconds(0.2));
+  two.world->step(2);
+  two.world->remove("c");
+  EXPECT_NO_THROW(two.world->step(30));
+}
+
 TEST(RelayPorts, RulesThatMatchNothingAreNamed) {
   RelayWorld two("rules:\n  - {topic: x, from: [ship]}\n  - {topic: y}\n  - {topic: z, to: [b]}\n");
   two.write("a/z", "1");

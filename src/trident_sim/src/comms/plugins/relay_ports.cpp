@@ -66,6 +66,9 @@ void RelayPorts::set_robots(const std::vector<std::string>& robots) {
   const auto is_gone = [&robots](const std::string& name) {
     return !std::binary_search(robots.begin(), robots.end(), name);
   };
+  later_.erase(std::remove_if(later_.begin(), later_.end(),
+                              [&](const Later& later) { return is_gone(later.robot); }),
+               later_.end());
   for (auto output = outputs_.begin(); output != outputs_.end();) {
     const auto& [rule, source, receiver] = output->first;
     output = is_gone(source) || is_gone(receiver) ? outputs_.erase(output) : std::next(output);

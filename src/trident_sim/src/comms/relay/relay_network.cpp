@@ -129,10 +129,8 @@ std::vector<RadioMessage> RelayNetwork::receive(const std::string& robot, Radio&
     if (!forward) {
       own.push_back(std::move(message));
     } else if (forward->destination == robot) {
-      RadioMessage inner = message;
-      inner.source = forward->source;
-      inner.data = std::string(forward->data);
-      own.push_back(std::move(inner));
+      own.push_back({forward->source, std::string(forward->data), message.sent, message.received,
+                     message.snr_db});
     } else {
       pass_on(robot, std::move(*forward), message.received, radio);
     }
