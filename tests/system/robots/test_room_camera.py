@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from harness import Launch, eventually, recorder
+from harness import Launch, recorder
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2
 
 Start = Callable[..., Launch]
@@ -26,9 +26,8 @@ def test_the_camera_of_a_robot_sees_the_room(launch: Start) -> None:
         recorder("/camera/depth/image_raw", Image) as depths,
         recorder("/camera/depth/points", PointCloud2) as clouds,
     ):
-        run.step(1000)
-        for topic in (images, infos, depths, clouds):
-            eventually(lambda topic=topic: len(topic.messages) >= 15, "fifteen samples")
+        topics = (images, infos, depths, clouds)
+        run.step_and_receive(67, 15, lambda: min(len(topic.messages) for topic in topics))
     stamps = [message.header.stamp.to_nsec() for message in images.messages]
     assert {b - a for a, b in pairwise(stamps)} <= {66_000_000, 67_000_000}, "15 Hz"
     for topic in (infos, depths, clouds):

@@ -94,8 +94,7 @@ def test_clouds_with_rings_and_times_and_their_transforms(explorer: Launch) -> N
         recorder("/tf", TFMessage, publishers=2),  # then the listener hears them, too
         recorder("/velodyne_points", PointCloud2) as clouds,
     ):
-        explorer.step(1500)
-        eventually(lambda: len(clouds.messages) >= 13, "thirteen clouds")
+        explorer.step_and_receive(100, 13, lambda: len(clouds.messages))
     stamps = [message.header.stamp for message in clouds.messages]
     assert {(b - a).to_nsec() for a, b in pairwise(stamps)} == {100_000_000}
     points = check_cloud(clouds.messages[-1])

@@ -165,6 +165,20 @@ class Simulation:
         n = math.ceil((sim_time_s - self.time()) / self.dt() - 1e-6)
         return self.step(n) if n > 0 else self.time()
 
+    def step_and_receive(self, n: int, count: int, received: Callable[[], int]) -> None:
+        """Do n steps `count` times, and wait after the k-th until k messages were received.
+
+        A publisher keeps only the newest of its large messages: in one go a busy machine drops some.
+
+        Args:
+            n: steps at a time, the period of what is published.
+            count: of messages.
+            received: how many there are, of the topic that has the fewest.
+        """
+        for k in range(1, count + 1):
+            self.step(n)
+            eventually(lambda k=k: received() >= k, f"message {k} of {count}")
+
     def step_until(
         self, condition: Callable[[], bool], what: str, limit_s: float = 60.0, every_s: float = 0.1
     ) -> float:
