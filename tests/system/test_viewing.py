@@ -23,7 +23,8 @@ SIZE = (600, 400)
 def test_a_simulation_is_held_at_a_time_to_the_step(
     ros: Ros, start_gazebo: Callable[..., Gazebo]
 ) -> None:
-    gazebo = start_gazebo(paused=False, real_time_factor=1.0)
+    # So slow that no program starts later than that.
+    gazebo = start_gazebo(paused=False, real_time_factor=0.05)
     ros.call(*HOLD, "3.21")
     assert [gazebo.time() for _ in range(20)] == [pytest.approx(3.21)] * 20
     ros.call(*HOLD, "3.21")

@@ -8,6 +8,8 @@ import argparse
 import math
 import sys
 import time
+import xmlrpc.client
+from typing import Any
 
 import rosgraph
 import rospy
@@ -22,7 +24,6 @@ _START_LIMIT_S = 300.0  # on a loaded machine; the user who has started it sees 
 _NODES_LIMIT_S = 300.0
 _TRIES = 20
 _POLL_S = 0.1
-_CONNECT_S = 1.0
 _CHUNK_S = 0.05  # of simulated time, so that a viewer can follow
 _PACE = 5.0
 _SHORTEST_STEP_S = 1e-6
@@ -102,21 +103,53 @@ class Held:
 
 
 def wait_for_viewer() -> None:
-    """Wait until an rviz listens to transforms.
+    """Wait until an rviz listens to transforms, and everyone whose topics it shows sends to it.
 
     Raises:
         rospy.ROSException: none comes within the limit.
     """
     give_up = time.monotonic() + _START_LIMIT_S
-    master = rosgraph.Master(rospy.get_name())
     while not rospy.is_shutdown():
-        _, subscribers, _ = master.getSystemState()
-        if any(node.startswith("/rviz") for node in dict(subscribers).get("/tf", [])):
-            time.sleep(_CONNECT_S)  # it has asked for its topics; its sockets need a moment
+        unsent = _topics_not_sent_to_viewer()
+        if unsent is not None and not unsent:
             return
         if time.monotonic() > give_up:
-            raise rospy.ROSException(f"no rviz within {_START_LIMIT_S:g} s")
+            if unsent is None:
+                raise rospy.ROSException(f"no rviz within {_START_LIMIT_S:g} s")
+            rospy.logwarn("rviz does not receive %s", ", ".join(sorted(unsent)))
+            return
         time.sleep(_POLL_S)
+
+
+def _topics_not_sent_to_viewer() -> set[str] | None:
+    """Topics that an rviz has subscribed to and a publisher does not send to it yet.
+
+    Returns:
+        None: no rviz listens to transforms.
+    """
+    master = rosgraph.Master(rospy.get_name())
+    publishers, subscribers, _ = master.getSystemState()
+    readers = dict(subscribers)
+    viewers = {node for node in readers.get("/tf", []) if node.startswith("/rviz")}
+    if not viewers:
+        return None
+    sent = {node: _sent_by(master, node) for _, nodes in publishers for node in nodes}
+    return {
+        topic
+        for topic, nodes in publishers
+        for viewer in viewers.intersection(readers.get(topic, []))
+        if not all((topic, viewer) in sent[node] for node in nodes)
+    }
+
+
+def _sent_by(master: rosgraph.Master, node: str) -> set[tuple[str, str]]:
+    """Topics that a node sends and to whom, by its own account; nothing if it has ended."""
+    try:
+        server: Any = xmlrpc.client.ServerProxy(master.lookupNode(node))
+        links = server.getBusInfo(rospy.get_name())[2]
+    except (OSError, xmlrpc.client.Error, rosgraph.MasterException):
+        return set()
+    return {(link[4], link[1]) for link in links if link[2] == "o"}
 
 
 def main(arguments: list[str] | None = None) -> int:
