@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "trident_bridges/autopilot/parameter_table.h"
+#include "trident_bridges/autopilot/setpoint_stream.h"
+#include "trident_bridges/autopilot/vehicle.h"
+
+namespace trident::bridges {
+
+/// Leads a ground robot or a vessel: legs to places, stations, velocities and sticks.
+class DriveGuide {
+ public:
+  /// Limits of all that comes.
+  void set_limits(const AutopilotLimits& limits) { limits_ = limits; }
+  /// Along the line from where it is; the next leg begins at the last one's end.
+  void go_to(const Eigen::Vector3d& p_m, const VehicleState& state);
+  /// Stays where it is.
+  void stop(const VehicleState& state);
+  /// Stands without holding a place: no motor turns.
+  void rest() { setpoint_ = {}; }
+  /// A companion computer's set-point: a place, or a velocity of the world.
+  void follow(const Target& target, const VehicleState& state);
+  /// A pilot's sticks: speed ahead and turn.
+  void take_sticks(const Sticks& sticks);
+  /// What is to be done.
+  const Setpoint& setpoint() const { return setpoint_; }
+  /// Whether it is within `radius_m` of the leg's end, or has passed it.
+  bool has_arrived(const VehicleState& state, double radius_m) const;
+
+ private:
+  AutopilotLimits limits_;
+  Setpoint setpoint_;
+};
+
+}  // namespace trident::bridges

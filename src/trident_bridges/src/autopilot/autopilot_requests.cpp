@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "autopilot/texts.h"
+#include "trident_base/angle.h"
+#include "trident_base/string_util.h"
+#include "trident_bridges/autopilot/autopilot.h"
+
+namespace trident::bridges {
+namespace {
+
+constexpr double kOldPosition_s = 1.0;
+constexpr double kSettled_m = 1.0;  // standard deviation of the place
+constexpr double kStanding_m_s = 0.5;
+constexpr double kGreatestHeight_m = 1000.0;
+
+}  // namespace
+
+std::vector<std::string> Autopilot::arming_problems(SimTime now) const {
+  std::vector<std::string> problems;
+  if (!state_.position_stamp) {
+    problems.emplace_back("position: none has come");
+  } else if ((now - *state_.position_stamp).seconds() > kOldPosition_s) {
+    problems.push_back("position: " + number_text((now - *state_.position_stamp).seconds()) +
+                       " s old, limit " + number_text(kOldPosition_s) + " s");
+  }
+  if (!(state_.position_stddev_m <= kSettled_m)) {
+    problems.push_back("estimator: standard deviation " + number_text(state_.position_stddev_m) +
+                       " m, limit " + number_text(kSettled_m) + " m");
+  }
+  if (state_.battery < limits_.arming_battery) {
+    problems.push_back("battery: " + percent_text(state_.battery) + ", limit " +
+                       percent_text(limits_.arming_battery));
+  }
+  if (limits_.fence_is_on && state_.position_stamp) {
+    if (const auto breach = fence_.breach(state_.p_world_m)) problems.push_back(*breach);
+  }
+  const double speed = state_.v_world_m_s.norm();
+  // A vessel drifts in waves and current.
+  if (options_.vehicle != VehicleClass::kVessel && speed > kStanding_m_s) {
+    problems.push_back("speed: " + number_text(speed) + " m/s, limit " +
+                       number_text(kStanding_m_s) + " m/s");
+  }
+  const bool refuses_mode = mode_ == Mode::kReturn || mode_ == Mode::kLand;
+  if (refuses_mode) {
+    const ModeEntry* const entry = find_mode(options_.flavor, options_.vehicle, mode_);
+    problems.push_back(std::string("mode: ") + entry->name + " cannot be armed in");
+  }
+  return problems;
+}
+
+Answer Autopilot::arm(const ArmRequest& request, SimTime now) {
+  if (request.is_armed == is_armed_) return {};
+  if (!request.is_armed) {
+    if (!is_landed() && !request.is_forced) {
+      return refused("Disarming: the vehicle is in the air, it must have landed");
+    }
+    disarm(request.is_forced ? "forced" : "asked for");
+    return {};
+  }
+  if (!request.is_forced && limits_.checks_arming) {
+    const auto problems = arming_problems(now);
+    for (const std::string& problem : problems) report(kSeverityError, "Arming denied: " + problem);
+    if (!problems.empty()) return refused("Arming denied: " + problems.front());
+  }
+  is_armed_ = true;
+  set_home(state_.p_world_m);
+  flight_.start(now, state_);
+  report(kSeverityInfo, request.is_forced ? "Armed, forced." : "Armed.");
+  if (mode_ == Mode::kMission || !flies()) begin(mode_, now);
+  return {};
+}
+
+/// Why a mode cannot be entered.
+std::optional<std::string> Autopilot::mode_problem(Mode mode, SimTime now) const {
+  if (needs_position(mode) && !state_.position_stamp) return "position: none has come";
+  if (mode == Mode::kOffboard) return watch_.offboard_problem(now);
+  if (mode == Mode::kMission && mission_.size() == 0) return "mission: it has 0 items, 1 is needed";
+  if (mode == Mode::kReturn && !home_) return "home: it is not known";
+  return std::nullopt;
+}
+
+Answer Autopilot::enter_requested(const ModeEntry& entry, SimTime now) {
+  if (const auto problem = mode_problem(entry.mode, now)) {
+    const std::string text = std::string("Mode ") + entry.name + " denied: " + *problem;
+    report(kSeverityError, text);
+    return refused(text);
+  }
+  const bool is_new = entry.mode != mode_;
+  if (is_new) {
+    report(kSeverityInfo, std::string("Mode ") + entry.name + ".");
+    enter(entry.mode, now);
+  }
+  return {};
+}
+
+/// One function for each request.
+struct Autopilot::Handler {
+  Autopilot& pilot;
+  SimTime now;
+
+  Answer operator()(const ArmRequest& request) const { return pilot.arm(request, now); }
+  Answer operator()(const ModeRequest& request) const;
+  Answer operator()(const TakeOffRequest& request) const;
+  Answer operator()(const GoToRequest& request) const;
+  Answer operator()(const ReturnRequest&) const { return change_to(Mode::kReturn); }
+  Answer operator()(const LandRequest&) const { return change_to(Mode::kLand); }
+  Answer operator()(const SpeedRequest& request) const;
+  Answer operator()(const YawRequest& request) const;
+  Answer operator()(const LookAtRequest& request) const;
+  Answer operator()(const MissionStartRequest& request) const;
+  Answer operator()(const MissionItemRequest& request) const;
+  Answer operator()(const PauseRequest& request) const;
+  Answer operator()(const FenceRequest& request) const;
+  Answer operator()(const HomeRequest& request) const;
+  Answer operator()(const CheckRequest&) const;
+
+  Answer change_to(Mode mode) const;
+  Answer need_armed(const char* what) const;
+};
+
+Answer Autopilot::Handler::change_to(Mode mode) const {
+  const ModeEntry* const entry = find_mode(pilot.options_.flavor, pilot.options_.vehicle, mode);
+  if (entry == nullptr) return {Result::kUnsupported, "this vehicle has no such mode"};
+  return pilot.enter_requested(*entry, now);
+}
+
+Answer Autopilot::Handler::need_armed(const char* what) const {
+  if (pilot.is_armed_) return {};
+  const std::string text = std::string(what) + " denied: the vehicle is disarmed, it must be armed";
+  pilot.report(kSeverityError, text);
+  return refused(text);
+}
+
+Answer Autopilot::Handler::operator()(const ModeRequest& request) const {
+  const auto& options = pilot.options_;
+  const ModeEntry* const entry = find_mode(options.flavor, options.vehicle, request.custom_mode);
+  if (entry != nullptr) return pilot.enter_requested(*entry, now);
+  const std::string text =
+      "Mode " + std::to_string(request.custom_mode) +
+      " is not known, legal: " + join(mode_names(options.flavor, options.vehicle));
+  pilot.report(kSeverityError, text);
+  return denied(text);
+}
+
+Answer Autopilot::Handler::operator()(const TakeOffRequest& request) const {
+  if (!pilot.flies()) return {Result::kUnsupported, "take-off: this vehicle does not fly"};
+  const double height =
+      std::isnan(request.height_m) ? pilot.limits_.take_off_height_m : request.height_m;
+  if (!(height > 0.0 && height <= kGreatestHeight_m)) {
+    return denied("take-off: height " + number_text(height) + " m, legal: above 0, up to " +
+                  number_text(kGreatestHeight_m) + " m");
+  }
+  const bool is_px4 = pilot.options_.flavor == Flavor::kPx4;
+  if (!is_px4 && pilot.mode_ != Mode::kGuided) {
+    return refused("take-off: the mode must be GUIDED");
+  }
+  if (const Answer answer = need_armed("Take-off"); !answer.is_good()) return answer;
+  const Eigen::Vector3d goal = pilot.state_.p_world_m + Eigen::Vector3d(0.0, 0.0, height);
+  if (pilot.limits_.fence_is_on) {
+    if (const auto breach = pilot.fence_.breach(goal)) return refused("take-off: " + *breach);
+  }
+  if (is_px4) pilot.mode_ = Mode::kTakeOff;
+  pilot.flight_.go_to(goal, now);
+  return {};
+}
+
+Answer Autopilot::Handler::operator()(const GoToRequest& request) const {
+  if (!request.p_world_m.allFinite()) return denied("go to: the place is not finite");
+  if (const Answer answer = need_armed("Go to"); !answer.is_good()) return answer;
+  if (pilot.limits_.fence_is_on) {
+    if (const auto breach = pilot.fence_.breach(request.p_world_m)) {
+      return refused("go to: " + *breach);
+    }
+  }
+  const bool is_px4 = pilot.options_.flavor == Flavor::kPx4;
+  if (const Answer answer = change_to(is_px4 ? Mode::kHold : Mode::kGuided); !answer.is_good()) {
+    return answer;
+  }
+  if (request.speed_m_s > 0.0) (*this)(SpeedRequest{request.speed_m_s});
+  if (pilot.flies()) pilot.flight_.look_along(request.p_world_m, now);
+  if (request.yaw) pilot.flight_.turn_to(*request.yaw);
+  pilot.go_to(request.p_world_m, now);
+  return {};
+}
+
+Answer Autopilot::Handler::operator()(const SpeedRequest& request) const {
+  if (!(request.speed_m_s > 0.0 && request.speed_m_s <= 100.0)) {
+    return denied("speed: " + number_text(request.speed_m_s) + " m/s, legal: above 0, up to 100");
+  }
+  pilot.limits_.speed_m_s = request.speed_m_s;
+  pilot.flight_.set_limits(pilot.limits_);
+  pilot.drive_.set_limits(pilot.limits_);
+  return {};
+}
+
+Answer Autopilot::Handler::operator()(const YawRequest& request) const {
+  if (!pilot.flies()) return {Result::kUnsupported, "yaw: this vehicle turns as it goes"};
+  if (!std::isfinite(request.yaw)) return denied("yaw: the angle is not finite");
+  const double base = request.is_relative ? pilot.state_.yaw() : 0.0;
+  pilot.flight_.look_at(std::nullopt);
+  pilot.flight_.turn_to(wrap_to_pi(base + request.yaw));
+  return {};
+}
+
+Answer Autopilot::Handler::operator()(const LookAtRequest& request) const {
+  if (!pilot.flies()) return {Result::kUnsupported, "look at: this vehicle turns as it goes"};
+  pilot.flight_.look_at(request.p_world_m);
+  return {};
+}
+
+Answer Autopilot::Handler::operator()(const MissionStartRequest& request) const {
+  if (request.first >= 0) {
+    if (const Answer answer = pilot.mission_.set_current(request.first); !answer.is_good()) {
+      return answer;
+    }
+  }
+  if (const Answer answer = need_armed("Mission"); !answer.is_good()) return answer;
+  return change_to(Mode::kMission);
+}
+
+Answer Autopilot::Handler::operator()(const MissionItemRequest& request) const {
+  return pilot.mission_.set_current(request.index);
+}
+
+Answer Autopilot::Handler::operator()(const PauseRequest& request) const {
+  if (!request.is_paused) return change_to(Mode::kMission);
+  const Mode pause =
+      pilot.options_.flavor == Flavor::kArduPilot && pilot.flies() ? Mode::kBrake : Mode::kHold;
+  return change_to(pause);
+}
+
+Answer Autopilot::Handler::operator()(const FenceRequest& request) const {
+  pilot.limits_.fence_is_on = request.is_on;
+  pilot.report(kSeverityInfo, request.is_on ? "The fence is on." : "The fence is off.");
+  return {};
+}
+
+Answer Autopilot::Handler::operator()(const HomeRequest& request) const {
+  const Eigen::Vector3d home = request.p_world_m.value_or(pilot.state_.p_world_m);
+  if (!home.allFinite()) return denied("home: the place is not finite");
+  if (!request.p_world_m && !pilot.state_.position_stamp) return refused("home: no position yet");
+  pilot.set_home(home);
+  return {};
+}
+
+Answer Autopilot::Handler::operator()(const CheckRequest&) const {
+  const auto problems = pilot.arming_problems(now);
+  for (const std::string& problem : problems)
+    pilot.report(kSeverityError, "Arming check: " + problem);
+  if (!problems.empty()) return {Result::kFailed, problems.front()};
+  return {};
+}
+
+Answer Autopilot::handle(const Request& request, SimTime now) {
+  return std::visit(Handler{*this, now}, request);
+}
+
+Answer Autopilot::set_target(const Target& target, SimTime stamp, SimTime now) {
+  const auto finite = [](const auto& part) { return !part || part->allFinite(); };
+  if (!finite(target.p_m) || !finite(target.v_m_s) || !finite(target.a_m_s2) ||
+      !finite(target.w_body_rad_s) || !std::isfinite(target.yaw.value_or(0.0)) ||
+      !std::isfinite(target.yaw_rate.value_or(0.0)) ||
+      !std::isfinite(target.thrust.value_or(0.0))) {
+    return denied("set-point: a number of it is not finite");
+  }
+  watch_.note_target(now);
+  if (mode_ != Mode::kOffboard && mode_ != Mode::kGuided) {
+    return refused("set-point: not followed in this mode");
+  }
+  if (!is_armed_) return refused("set-point: the vehicle is disarmed, it must be armed");
+  if (!flies()) {
+    drive_.follow(target, state_);
+    return {};
+  }
+  // ArduPilot's copter leaves the ground by a take-off alone.
+  if (mode_ == Mode::kGuided && flight_.is_landed() && !target.thrust) {
+    return refused("set-point: the vehicle stands on the ground, take off before");
+  }
+  flight_.follow(target, stamp, now);
+  return {};
+}
+
+}  // namespace trident::bridges
