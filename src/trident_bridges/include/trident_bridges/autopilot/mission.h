@@ -93,7 +93,7 @@ class MissionExecutor {
   int current() const { return current_; }
   /// All items.
   const std::vector<MissionItem>& items() const { return items_; }
-  /// Continues with that item. Denied when there is none of this index.
+  /// Continues with that item. Denied when no item has this index.
   Answer set_current(int index);
   /// Begins the current item again, as after a pause.
   void resume();

@@ -47,7 +47,7 @@ struct YawRequest {
 struct LookAtRequest {
   std::optional<Eigen::Vector3d> p_world_m;  ///< none: as the legs have it
 };
-/// Begins the mission, or goes on with it.
+/// Begins the mission, or continues it.
 struct MissionStartRequest {
   int first = -1;  ///< index of an item; -1: the current one
 };
