@@ -10,9 +10,9 @@ import pytest
 import yaml
 from geometry_msgs.msg import PoseStamped, Transform
 from hostile import Asked, answers_on, odometry, started
-from mav_msgs.msg import Actuators, RollPitchYawrateThrust
+from mav_msgs.msg import Actuators, AttitudeThrust, RateThrust, RollPitchYawrateThrust
 from nav_msgs.msg import Path
-from std_msgs.msg import Float32
+from std_msgs.msg import Float32, Header
 from trajectory_msgs.msg import MultiDOFJointTrajectory, MultiDOFJointTrajectoryPoint
 from trident.testing import Ros, package, program
 
@@ -50,6 +50,9 @@ def test_lee_position_controller(ros: Ros) -> None:
     examples = {
         "command/pose": PoseStamped(),
         "command/trajectory": MultiDOFJointTrajectory(points=[point]),
+        "command/attitude_thrust": AttitudeThrust(),
+        "command/rate_thrust": RateThrust(),
+        "command/stop": Header(),
     }
     parameters = firefly("lee_controller_firefly.yaml")
     treat(ros, "lee_position_controller_node", parameters, examples)

@@ -66,8 +66,19 @@ void AttitudeLaw::compute(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& w_
                                        ? Eigen::Vector3d(R_DB.col(2))
                                        : Eigen::Vector3d(R_DB.row(2).transpose());
   const Eigen::Vector3d e_w = w_B - yaw_axis * yaw_rate;
-  Eigen::Vector3d acceleration =
-      -e_R.cwiseProduct(attitude_gain_) - e_w.cwiseProduct(angular_rate_gain_);
+  allocate(w_B, -e_R.cwiseProduct(attitude_gain_) - e_w.cwiseProduct(angular_rate_gain_), thrust,
+           rotor_speeds);
+}
+
+void AttitudeLaw::compute_rates(const Eigen::Vector3d& w_B, const Eigen::Vector3d& w_desired,
+                                double thrust, Span<double> rotor_speeds) const {
+  allocate(w_B, -(w_B - w_desired).cwiseProduct(angular_rate_gain_), thrust, rotor_speeds);
+}
+
+/// Rotor speeds of an angular acceleration [rad/s^2] and a thrust [N].
+void AttitudeLaw::allocate(const Eigen::Vector3d& w_B, const Eigen::Vector3d& wanted, double thrust,
+                           Span<double> rotor_speeds) const {
+  Eigen::Vector3d acceleration = wanted;
   if (!quirks_.omit_gyroscopic_term) {
     acceleration += inertia_inverse_ * w_B.cross(inertia_ * w_B);
   }

@@ -15,19 +15,24 @@ bool is_usable(double value) { return std::abs(value) <= kLargest; }
 bool is_usable(const Eigen::Vector3d& v) {
   return is_usable(v.x()) && is_usable(v.y()) && is_usable(v.z());
 }
+/// A quaternion's norm is 1 within 5 %.
+bool is_rotation(const Eigen::Vector4d& coefficients) {
+  const double squared_norm = coefficients.squaredNorm();
+  return squared_norm > 0.95 * 0.95 && squared_norm < 1.05 * 1.05;
+}
 
 }  // namespace
 
 bool is_valid(const OdometryState& state) {
   const bool is_finite =
       is_usable(state.p_world_body) && is_usable(state.v_body) && is_usable(state.w_body);
-  const double squared_norm = state.R_world_body.coeffs().squaredNorm();
-  return is_finite && squared_norm > 0.95 * 0.95 && squared_norm < 1.05 * 1.05;
+  return is_finite && is_rotation(state.R_world_body.coeffs());
 }
 
 bool is_valid(const TrajectoryPoint& point) {
   return is_usable(point.p_world) && is_usable(point.v_world) && is_usable(point.a_world) &&
-         is_usable(point.yaw) && is_usable(point.yaw_rate);
+         is_usable(point.yaw) && is_usable(point.yaw_rate) && is_usable(point.w_body) &&
+         is_usable(point.thrust) && is_rotation(point.R_world_body.coeffs());
 }
 
 bool is_valid(const AttitudeCommand& command) {

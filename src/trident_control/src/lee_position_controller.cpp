@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_control/lee_position_controller.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gain_validation.h"
@@ -61,6 +62,10 @@ ControlStatus LeePositionController::compute(const OdometryState& state,
   if (!is_valid(reference)) return ControlStatus::invalid_reference;
 
   const Eigen::Matrix3d R_WB = state.R_world_body.toRotationMatrix();
+  if (reference.level != ControlLevel::position) {
+    compute_part(R_WB, state.w_body, reference, rotor_speeds);
+    return ControlStatus::ok;
+  }
   const Eigen::Vector3d e_p = state.p_world_body - reference.p_world;
   const Eigen::Vector3d e_v = R_WB * state.v_body - reference.v_world;
   Eigen::Vector3d a_W =
@@ -71,6 +76,23 @@ ControlStatus LeePositionController::compute(const OdometryState& state,
   attitude_law_.compute(R_WB, state.w_body, desired_attitude(a_W, reference.yaw, R_WB),
                         reference.yaw_rate, thrust, rotor_speeds);
   return ControlStatus::ok;
+}
+
+/// Levels below position: the position loop has no part in them.
+void LeePositionController::compute_part(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& w_body,
+                                         const TrajectoryPoint& reference,
+                                         Span<double> rotor_speeds) const {
+  switch (reference.level) {
+    case ControlLevel::attitude:
+      attitude_law_.compute(R_WB, w_body, reference.R_world_body.normalized().toRotationMatrix(),
+                            reference.yaw_rate, reference.thrust, rotor_speeds);
+      return;
+    case ControlLevel::rates:
+      attitude_law_.compute_rates(w_body, reference.w_body, reference.thrust, rotor_speeds);
+      return;
+    default:
+      std::fill(rotor_speeds.begin(), rotor_speeds.end(), 0.0);
+  }
 }
 
 }  // namespace trident::control

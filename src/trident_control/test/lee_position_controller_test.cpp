@@ -193,6 +193,65 @@ TEST(LeePositionController, thrust_along_the_heading_still_has_an_attitude) {
   }
 }
 
+TEST(LeePositionController, an_idle_reference_stops_the_rotors_whatever_the_state) {
+  OdometryState state;
+  state.p_world_body = {1, 2, 30};
+  state.w_body = {1, -1, 2};
+  TrajectoryPoint reference;
+  reference.level = ControlLevel::idle;
+  for (const double speed : speeds_of({}, state, reference)) EXPECT_EQ(speed, 0.0);
+}
+
+TEST(LeePositionController, a_reference_of_attitude_does_not_look_at_the_position) {
+  TrajectoryPoint reference;
+  reference.level = ControlLevel::attitude;
+  reference.R_world_body =
+      Eigen::Quaternion<double, Eigen::DontAlign>(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY()));
+  reference.thrust = 15.0;
+  OdometryState here;
+  OdometryState there;
+  there.p_world_body = {100, -50, 7};
+  there.v_body = {3, 2, 1};
+  EXPECT_EQ(speeds_of({}, here, reference), speeds_of({}, there, reference));
+}
+
+/// Of a level one that shall hover: the answer of the position loop at its goal.
+TEST(LeePositionController, a_level_attitude_with_the_weight_as_thrust_is_hovering) {
+  const LeeParams params;
+  TrajectoryPoint attitude;
+  attitude.level = ControlLevel::attitude;
+  attitude.thrust = params.vehicle.mass * params.vehicle.gravity;
+  expect_same_speeds(speeds_of(params, {}, attitude), speeds_of(params, {}, TrajectoryPoint()));
+}
+
+TEST(LeePositionController, a_reference_of_rates_turns_towards_them_alone) {
+  const LeeParams params;
+  const auto squares = [&](const Eigen::Vector3d& w, const Eigen::Vector3d& wanted) {
+    OdometryState state;
+    state.R_world_body = Eigen::AngleAxisd(1.0, Eigen::Vector3d(1, 1, 0).normalized());
+    state.w_body = w;
+    TrajectoryPoint reference;
+    reference.level = ControlLevel::rates;
+    reference.w_body = wanted;
+    reference.thrust = 16.0;
+    return speeds_of(params, state, reference);
+  };
+  // At the wanted rates nothing turns it further, and only the difference counts.
+  const auto at_rest = squares({0, 0, 0}, {0, 0, 0});
+  expect_same_speeds(squares({0.5, -0.2, 0.1}, {0.5, -0.2, 0.1}), at_rest);
+  expect_same_speeds(squares({0.3, 0, 0}, {0.5, 0, 0}), squares({0, 0, 0}, {0.2, 0, 0}));
+  EXPECT_NE(squares({0, 0, 0}, {0.2, 0, 0}), at_rest);
+}
+
+TEST(LeePositionController, refuses_an_attitude_that_is_no_rotation) {
+  TrajectoryPoint reference;
+  reference.level = ControlLevel::attitude;
+  reference.R_world_body.coeffs().setZero();
+  std::vector<double> speeds(6, -1.0);
+  EXPECT_EQ(LeePositionController(LeeParams()).compute({}, reference, speeds),
+            ControlStatus::invalid_reference);
+}
+
 TEST(LeePositionController, refuses_non_finite_numbers_and_leaves_the_output_alone) {
   const LeePositionController controller{LeeParams{}};
   const auto status_of = [&](const OdometryState& state, const TrajectoryPoint& reference) {

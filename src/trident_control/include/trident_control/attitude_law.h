@@ -49,8 +49,14 @@ class AttitudeLaw {
   void compute(const Eigen::Matrix3d& R_world_body, const Eigen::Vector3d& w_body,
                const Eigen::Matrix3d& R_world_desired, double yaw_rate, double thrust,
                Span<double> rotor_speeds) const;
+  /// Body rates [rad/s] in the place of an attitude: e_R = 0, e_w = w - w_desired.
+  void compute_rates(const Eigen::Vector3d& w_body, const Eigen::Vector3d& w_desired, double thrust,
+                     Span<double> rotor_speeds) const;
 
  private:
+  void allocate(const Eigen::Vector3d& w_body, const Eigen::Vector3d& acceleration, double thrust,
+                Span<double> rotor_speeds) const;
+
   AllocationInverse to_squared_speeds_;  // A^+ diag(J, 1)
   Eigen::Vector3d attitude_gain_;        // k_R J^-1 [1/s^2]
   Eigen::Vector3d angular_rate_gain_;    // k_w J^-1 [1/s]

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 
 namespace trident::control {
 
@@ -14,13 +15,27 @@ struct OdometryState {
   Eigen::Vector3d w_body = Eigen::Vector3d::Zero();                  ///< [rad/s]
 };
 
-/// Reference of a position controller.
+/// How much of a multirotor a reference leaves to its controller.
+enum class ControlLevel : std::int64_t {
+  position,  ///< position, velocity, acceleration and heading are followed
+  attitude,  ///< attitude, yaw rate and thrust
+  rates,     ///< body rates and thrust
+  idle,      ///< the rotors stand
+};
+
+/// Reference of a position controller, or of a part of it.
 struct TrajectoryPoint {
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d v_world = Eigen::Vector3d::Zero();  ///< [m/s]
   Eigen::Vector3d a_world = Eigen::Vector3d::Zero();  ///< [m/s^2]
   double yaw = 0.0;                                   ///< [rad]
   double yaw_rate = 0.0;                              ///< [rad/s]
+  ControlLevel level = ControlLevel::position;        ///< which of the fields count
+  /// Of level attitude: unit quaternion. Unaligned, so that a point is a row of doubles.
+  Eigen::Quaternion<double, Eigen::DontAlign> R_world_body =
+      Eigen::Quaternion<double, Eigen::DontAlign>::Identity();
+  Eigen::Vector3d w_body = Eigen::Vector3d::Zero();  ///< of level rates [rad/s]
+  double thrust = 0.0;                               ///< of both, along body z [N]
 };
 
 /// Reference of an attitude controller: roll and pitch angle, yaw rate, collective thrust.
@@ -42,7 +57,7 @@ enum class ControlStatus {
 /// Whether all numbers are usable: finite, and none beyond 1e8; the quaternion's norm is 1 within
 /// 5 %.
 bool is_valid(const OdometryState& state);
-/// Whether all numbers are finite, and none is beyond 1e8.
+/// Whether all numbers are finite, and none is beyond 1e8; the quaternion as that of a state.
 bool is_valid(const TrajectoryPoint& point);
 /// The same for a command.
 bool is_valid(const AttitudeCommand& command);

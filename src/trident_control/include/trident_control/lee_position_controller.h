@@ -33,7 +33,8 @@ struct LeeParams {
 ///   (R e3)
 /// then AttitudeLaw. Lee, Leok, McClamroch, CDC 2010, eq. 12, 15 (gains in N/m, divided by the mass
 /// here). A wanted acceleration of zero length keeps the present thrust axis; one along the
-/// heading, for which b2d has no direction, keeps the present body y. Copyable, immutable, no
+/// heading, for which b2d has no direction, keeps the present body y. References of a lower level
+/// skip the position loop. Copyable, immutable, no
 /// allocation in compute().
 class LeePositionController {
  public:
@@ -48,6 +49,9 @@ class LeePositionController {
                                       Span<double> rotor_speeds) const;
 
  private:
+  void compute_part(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& w_body,
+                    const TrajectoryPoint& reference, Span<double> rotor_speeds) const;
+
   AttitudeLaw attitude_law_;
   Eigen::Vector3d position_gain_;  // k_p / m [1/s^2]
   Eigen::Vector3d velocity_gain_;  // k_v / m [1/s]

@@ -44,7 +44,17 @@ LeePositionControllerNode::LeePositionControllerNode(ros::NodeHandle& node, cons
       "command/pose", [this](const auto& message) { on_pose(*message); }, &queue_);
   auto trajectory = ros_utils::inline_subscription<trajectory_msgs::MultiDOFJointTrajectory>(
       "command/trajectory", [this](const auto& message) { on_trajectory(*message); }, &queue_);
+  auto attitude = ros_utils::inline_subscription<mav_msgs::AttitudeThrust>(
+      "command/attitude_thrust", [this](const auto& message) { on_part(*message, attitude_); },
+      &queue_);
+  auto rates = ros_utils::inline_subscription<mav_msgs::RateThrust>(
+      "command/rate_thrust", [this](const auto& message) { on_part(*message, rates_); }, &queue_);
+  auto stop = ros_utils::inline_subscription<std_msgs::Header>(
+      "command/stop", [this](const auto& message) { on_stop(*message); }, &queue_);
   pose_ = node.subscribe(pose);
+  attitude_ = node.subscribe(attitude);
+  rates_ = node.subscribe(rates);
+  stop_ = node.subscribe(stop);
   trajectory_ = node.subscribe(trajectory);
   odometry_ = std::make_unique<OdometryInput>(
       node, thread, [this](const StampedOdometry& odometry) { on_odometry(odometry); });
@@ -52,8 +62,9 @@ LeePositionControllerNode::LeePositionControllerNode(ros::NodeHandle& node, cons
 
 LeePositionControllerNode::~LeePositionControllerNode() {
   odometry_.reset();
-  trajectory_.shutdown();
-  pose_.shutdown();
+  for (ros::Subscriber* const subscriber : {&trajectory_, &pose_, &attitude_, &rates_, &stop_}) {
+    subscriber->shutdown();
+  }
 }
 
 void LeePositionControllerNode::spin_once(std::chrono::milliseconds limit) {
@@ -81,6 +92,19 @@ bool LeePositionControllerNode::compute(const StampedOdometry& odometry) {
 void LeePositionControllerNode::on_pose(const geometry_msgs::PoseStamped& message) {
   incoming_.assign(1, TimedSetpoint{{}, to_trajectory_point(message.pose)});
   accept(message.header, pose_.getTopic());
+}
+
+template <class Message>
+void LeePositionControllerNode::on_part(const Message& message, const ros::Subscriber& subscriber) {
+  incoming_.assign(1, TimedSetpoint{{}, to_trajectory_point(message)});
+  accept(message.header, subscriber.getTopic());
+}
+
+void LeePositionControllerNode::on_stop(const std_msgs::Header& message) {
+  TrajectoryPoint idle;
+  idle.level = ControlLevel::idle;
+  incoming_.assign(1, TimedSetpoint{{}, idle});
+  accept(message, stop_.getTopic());
 }
 
 void LeePositionControllerNode::on_trajectory(

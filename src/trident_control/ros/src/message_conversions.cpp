@@ -103,6 +103,23 @@ TrajectoryPoint to_trajectory_point(const geometry_msgs::Pose& pose) {
   return point;
 }
 
+TrajectoryPoint to_trajectory_point(const mav_msgs::AttitudeThrust& message) {
+  TrajectoryPoint point;
+  point.level = ControlLevel::attitude;
+  const auto& q = message.attitude;
+  point.R_world_body = Eigen::Quaternion<double, Eigen::DontAlign>(q.w, q.x, q.y, q.z);
+  point.thrust = message.thrust.z;
+  return point;
+}
+
+TrajectoryPoint to_trajectory_point(const mav_msgs::RateThrust& message) {
+  TrajectoryPoint point;
+  point.level = ControlLevel::rates;
+  point.w_body = to_vector(message.angular_rates);
+  point.thrust = message.thrust.z;
+  return point;
+}
+
 std::optional<TrajectoryPoint> to_trajectory_point(
     const trajectory_msgs::MultiDOFJointTrajectoryPoint& message) {
   if (message.transforms.empty()) return std::nullopt;

@@ -146,5 +146,30 @@ TEST(ToAttitudeCommand, thrust_is_the_z_component) {
   EXPECT_EQ(command.thrust, 15.0);
 }
 
+TEST(MessageConversions, an_attitude_with_thrust_is_a_reference_without_position) {
+  mav_msgs::AttitudeThrust message;
+  message.attitude.w = 0.8;
+  message.attitude.y = 0.6;
+  message.thrust.z = 12.5;
+  const TrajectoryPoint point = to_trajectory_point(message);
+  EXPECT_EQ(point.level, ControlLevel::attitude);
+  EXPECT_EQ(point.R_world_body.w(), 0.8);
+  EXPECT_EQ(point.R_world_body.y(), 0.6);
+  EXPECT_EQ(point.thrust, 12.5);
+  EXPECT_TRUE(is_valid(point));
+  message.attitude.w = 0.0;
+  EXPECT_FALSE(is_valid(to_trajectory_point(message))) << "no rotation";
+}
+
+TEST(MessageConversions, rates_with_thrust_are_a_reference_without_attitude) {
+  mav_msgs::RateThrust message;
+  message.angular_rates.x = 1.5;
+  message.thrust.z = 9.0;
+  const TrajectoryPoint point = to_trajectory_point(message);
+  EXPECT_EQ(point.level, ControlLevel::rates);
+  EXPECT_EQ(point.w_body, Eigen::Vector3d(1.5, 0.0, 0.0));
+  EXPECT_EQ(point.thrust, 9.0);
+}
+
 }  // namespace
 }  // namespace trident::control

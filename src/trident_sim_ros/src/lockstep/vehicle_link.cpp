@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "conversions/conversions.h"
+#include "trident_base/string_util.h"
 #include "trident_ros/schedule_fuzz.h"
 #include "trident_ros/subscriptions.h"
 #include "trident_ros/topic_peers.h"
@@ -117,7 +118,9 @@ void VehicleLink::on_confirmation(const std::uint8_t* bytes, std::size_t size) {
   if (!read(bytes, size, header)) return;
   // Sources guard their trajectories and send them again; a pose from elsewhere they do not see.
   const std::string& topic = header.frame_id;
-  const bool replaces = topic.find("command/trajectory") != std::string::npos;
+  const auto ends_with_any = [&](const auto&... tails) { return (ends_with(topic, tails) || ...); };
+  const bool replaces = ends_with_any("command/trajectory", "command/attitude_thrust",
+                                      "command/rate_thrust", "command/stop");
   hear_setpoint(from_ros(header.stamp), true, replaces);
 }
 

@@ -35,8 +35,8 @@ class ParameterTable {
   const Parameter* find(std::string_view name) const;
   /// Value of a parameter that the table has. Throws Error otherwise.
   double value(std::string_view name) const;
-  /// Changes one. Refused: an unknown name (the nearest one is named), a value that is not finite, not
-  /// whole or out of its range.
+  /// Changes one. Refused: an unknown name (the nearest one is named), a value that is not finite,
+  /// not whole or out of its range.
   Answer set(std::string_view name, double value);
 
  private:

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <geometry_msgs/PoseStamped.h>
+#include <mav_msgs/AttitudeThrust.h>
+#include <mav_msgs/RateThrust.h>
 #include <mav_msgs/RollPitchYawrateThrust.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/time.h>
@@ -53,6 +55,12 @@ TrajectoryPoint to_trajectory_point(const geometry_msgs::Pose& pose);
 /// joint is read: a multirotor is one body.
 std::optional<TrajectoryPoint> to_trajectory_point(
     const trajectory_msgs::MultiDOFJointTrajectoryPoint& point);
+
+/// Level attitude; of the thrust vector only the part along body z counts.
+TrajectoryPoint to_trajectory_point(const mav_msgs::AttitudeThrust& message);
+
+/// Level rates; of the thrust vector only the part along body z counts.
+TrajectoryPoint to_trajectory_point(const mav_msgs::RateThrust& message);
 
 /// Converts every point into `out` (reused). Returns the index of a point without transform, or
 /// nullopt.
