@@ -34,6 +34,7 @@ catkin_add_gtest(trident_sim_test
   test/physics/inertia_test.cpp
   test/physics/joint_test.cpp
   test/world/lockstep_test.cpp
+  test/vehicles/battery_test.cpp
   test/vehicles/motor_model_test.cpp
   test/sdf/odd_elements_test.cpp
   test/physics/ode_stepper_test.cpp

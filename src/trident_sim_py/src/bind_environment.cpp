@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// What changes and describes a world's sea and wind.
+// What changes and describes a world's sea and wind; batteries.
 #include "bindings.h"
 #include "sample_class.h"
+#include "trident_sim/battery_sample.h"
 #include "trident_sim/text_sample.h"
 
 namespace trident::sim {
@@ -20,6 +21,12 @@ void bind_environment(py::module_& module) {
       .def_readonly("yaml", &EnvironmentSample::yaml, "As the file of an environment says it.");
   stamped<NumberSample>(module, "NumberSample", "A number, as std_msgs/Float64 has it.")
       .def_readonly("value", &NumberSample::value, "In the unit of the quantity.");
+  stamped<BatterySample>(module, "BatterySample", "State of a battery.")
+      .def_readonly("voltage", &BatterySample::voltage_v, "At its terminals, under load [V].")
+      .def_readonly("current", &BatterySample::current_a, "Drawn from it [A].")
+      .def_readonly("charge", &BatterySample::charge_ah, "That is left [Ah].")
+      .def_readonly("capacity", &BatterySample::capacity_ah, "When full [Ah].")
+      .def_readonly("percentage", &BatterySample::charge_share, "Charge over capacity, 0 to 1.");
   stamped<WindReadingSample>(module, "WindReadingSample", "Speed and angle of the wind.")
       .def_readonly("frame", &WindReadingSample::frame, "Frame of the sensor.")
       .def_readonly("is_true", &WindReadingSample::is_true,

@@ -7,6 +7,7 @@
 
 #include "trident_base/error.h"
 #include "trident_control_sim/lee_plugin.h"
+#include "trident_sim/battery_sample.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/samples.h"
 #include "trident_sim/text_sample.h"
@@ -57,6 +58,7 @@ const std::map<std::type_index, PortType>& port_types() {
       entry<GnssStatusSample>("GnssStatusSample"),
       entry<ImageCloudSample>("ImageCloudSample"),
       entry<ImageSample>("ImageSample"),
+      entry<BatterySample>("BatterySample"),
       entry<ImuSample>("ImuSample"),
       entry<JointCommand>("JointCommand"),
       entry<JointStateSample>("JointStateSample"),

@@ -174,3 +174,30 @@ def test_a_vehicle_can_be_removed_in_flight_and_spawned_again(
     assert port.read() is None
     world.step()
     assert port.read().stamp_ns == world.time_ns
+
+
+def test_a_battery_gives_what_the_rotors_of_a_hovering_iris_take() -> None:
+    world = trident_sim.World("package://rotors_gazebo/worlds/basic.world")
+    rotors = ", ".join(f"UAV1/rotor_{i}_joint" for i in range(4))
+    battery = (
+        '<gazebo><plugin name="battery" filename="libtrident_battery.so">'
+        "<robotNamespace>UAV1</robotNamespace><capacity>1</capacity><cells>4</cells>"
+        f"<idlePower>20</idlePower><jointName>{rotors}</jointName><jointPower>2e-7</jointPower>"
+        "<speedFactor>10</speedFactor></plugin></gazebo></robot>"
+    )
+    urdf = trident_sim.multirotor("UAV1", "iris").replace("</robot>", battery)
+    world.spawn("UAV1", urdf=urdf, pose=(0.0, 0.0, 0.1))
+    world.ports[TRAJECTORY].write([[0.0, 0.0, 1.0]])
+    state = world.ports["UAV1/battery"]
+    state.subscribe()
+    world.step_until(10.0)
+    before = state.value
+    # Rotors carry 1.52 kg with 8.54858e-6 N s^2/rad^2 each.
+    speed = np.sqrt(1.52 * 9.8 / 4 / 8.54858e-6)
+    assert before.voltage * before.current == pytest.approx(20 + 4 * 2e-7 * speed**3, rel=0.02)
+    world.step_until(20.0)
+    used = before.charge - state.value.charge
+    assert used == pytest.approx(before.current * 10.0 / 3600.0, rel=0.02)
+    world.ports["UAV1/battery/set_charge"].write(0.5)
+    world.step_until(21.0)
+    assert state.value.percentage == pytest.approx(0.5, abs=1e-2)
