@@ -25,8 +25,12 @@ class PollLoop {
   virtual void forget(int descriptor) = 0;
   /// Calls `callback` after `delay_s` of wall time, once. Returns a number for cancel().
   virtual std::uint64_t call_after(double delay_s, std::function<void()> callback) = 0;
-  /// Of a call that has not been made; nothing else otherwise.
+  /// Prevents a call that has not been made yet; otherwise it does nothing.
   virtual void cancel(std::uint64_t call) = 0;
+  /// Wall time since an arbitrary instant, which never jumps [s].
+  virtual double now_s() const = 0;
+  /// Calls `callback` in the loop's thread soon, once. The one function that any thread may call.
+  virtual void post(std::function<void()> callback) = 0;
 };
 
 }  // namespace trident::bridges
