@@ -1,4 +1,22 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
 
-# Sources are added by their room.
+trident_bridges_room(transport
+  src/transport/datagram_batch.cpp
+  src/transport/epoll_loop.cpp
+  src/transport/line_endpoint.cpp
+  src/transport/line_sender.cpp
+  src/transport/line_settings.cpp
+  src/transport/open_endpoint.cpp
+  src/transport/pty_endpoint.cpp
+  src/transport/serial_endpoint.cpp
+  src/transport/socket_address.cpp
+  src/transport/socket_buffers.cpp
+  src/transport/tcp_client.cpp
+  src/transport/tcp_endpoint.cpp
+  src/transport/tcp_server.cpp
+  src/transport/udp_endpoint.cpp
+  src/transport/url.cpp
+)
+# <asm/termbits.h> and <termios.h> declare the same names.
+set_source_files_properties(src/transport/line_settings.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
