@@ -20,3 +20,17 @@ trident_bridges_room(transport
 )
 # <asm/termbits.h> and <termios.h> declare the same names.
 set_source_files_properties(src/transport/line_settings.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+
+trident_bridges_test(transport
+  test/transport/epoll_loop_test.cpp
+  test/transport/line_test.cpp
+  test/transport/tcp_test.cpp
+  test/transport/udp_test.cpp
+  test/transport/url_test.cpp
+)
+if(CATKIN_ENABLE_TESTING)
+  # Alone, because it replaces malloc.
+  catkin_add_gtest(trident_bridges_transport_allocation_test test/transport/allocation_test.cpp)
+  target_link_libraries(trident_bridges_transport_allocation_test trident_bridges_transport
+    trident_base_test_support gtest_main)
+endif()

@@ -19,8 +19,8 @@ class ByteQueue {
   /// Holds up to `capacity` bytes.
   explicit ByteQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  std::size_t size() const { return size_; }                  ///< bytes that wait
-  bool empty() const { return size_ == 0; }                   ///< nothing waits
+  std::size_t size() const { return size_; }                    ///< bytes that wait
+  bool empty() const { return size_ == 0; }                     ///< nothing waits
   std::size_t free_bytes() const { return capacity_ - size_; }  ///< what push() takes
 
   /// Appends all bytes of a block; false, and nothing is appended, when they do not fit.

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
 
 namespace trident::bridges {
@@ -52,12 +51,16 @@ bool LineSender::take(Bytes block) {
   std::memcpy(length.data(), &size, kLength);
   queue_.push(length);
   queue_.push(block);
-  if (is_first) begin_block(loop_.now_s());
+  if (is_first) {
+    begin_block(loop_.now_s());
+    write();
+  }
   return true;
 }
 
-// Takes the length of the first block off the queue and waits until the block leaves.
-void LineSender::begin_block(double now_s) {
+// Takes the length of the first block off the queue; the block leaves after those before it, and
+// not before it was handed in.
+void LineSender::begin_block(double handed_in_s) {
   std::array<std::uint8_t, kLength> length;
   std::size_t filled = 0;
   for (const Bytes part : queue_.front(kLength)) {
@@ -66,37 +69,39 @@ void LineSender::begin_block(double now_s) {
   }
   queue_.pop(kLength);
   std::memcpy(&rest_, length.data(), kLength);
-  const double leave_s = schedule_.leave_s(now_s, rest_);
-  if (leave_s <= now_s) {
-    write();
-  } else {
-    departure_.start(leave_s - now_s, [this] { write(); });
-  }
+  const double delay_s = schedule_.leave_s(handed_in_s, rest_) - loop_.now_s();
+  if (delay_s > 0.0) departure_.start(delay_s, [this] { write(); });
 }
 
 void LineSender::write() {
-  if (rest_ == 0 || departure_.is_waiting()) return;
+  while (rest_ > 0 && !departure_.is_waiting()) {
+    write_some();
+    set_blocked(rest_ > 0);
+    if (is_blocked_) return;
+    ++counts_.sent;
+    // Zero: the block was handed in before this one left.
+    if (!queue_.empty()) begin_block(0.0);
+  }
+}
+
+void LineSender::write_some() {
   const std::array<Bytes, 2> waiting = queue_.front(rest_);
   std::array<iovec, 2> parts;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     parts[i] = {const_cast<std::uint8_t*>(waiting[i].data()), waiting[i].size()};
   }
   const auto written = writev(descriptor_, parts.data(), parts.size());
-  if (written > 0) {
-    queue_.pop(static_cast<std::size_t>(written));
-    counts_.sent_bytes += static_cast<std::uint64_t>(written);
-    rest_ -= static_cast<std::uint32_t>(written);
-  }
-  const bool is_blocked = rest_ > 0;
-  if (is_blocked != is_blocked_) {
-    loop_.change(descriptor_, PollLoop::kReadable | (is_blocked ? PollLoop::kWritable : 0U));
-    is_blocked_ = is_blocked;
-    schedule_.hold(loop_.now_s());
-  }
-  if (is_blocked) return;
-  ++counts_.sent;
-  // Zero: the block follows the one before it, whenever this was called.
-  if (!queue_.empty()) begin_block(0.0);
+  if (written <= 0) return;
+  queue_.pop(static_cast<std::size_t>(written));
+  counts_.sent_bytes += static_cast<std::uint64_t>(written);
+  rest_ -= static_cast<std::uint32_t>(written);
+}
+
+void LineSender::set_blocked(bool is_blocked) {
+  if (is_blocked == is_blocked_) return;
+  is_blocked_ = is_blocked;
+  loop_.change(descriptor_, PollLoop::kReadable | (is_blocked ? PollLoop::kWritable : 0U));
+  schedule_.hold(loop_.now_s());
 }
 
 }  // namespace trident::bridges

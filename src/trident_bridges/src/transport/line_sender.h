@@ -53,7 +53,9 @@ class LineSender {
   void write();
 
  private:
-  void begin_block(double now_s);
+  void begin_block(double handed_in_s);
+  void write_some();
+  void set_blocked(bool is_blocked);
 
   PollLoop& loop_;
   EndpointCounts& counts_;

@@ -10,10 +10,10 @@ namespace trident::bridges {
 
 /// How a terminal device carries bytes, all eight bits of them and nothing translated.
 struct LineSettings {
-  std::uint32_t baud = 57600;       ///< [bit/s], any that the device can
-  Parity parity = Parity::kNone;    ///< of each byte
-  int stop_bits = 1;                ///< 1 or 2
-  bool has_hardware_flow = false;   ///< by RTS and CTS
+  std::uint32_t baud = 57600;      ///< [bit/s], any that the device can
+  Parity parity = Parity::kNone;   ///< of each byte
+  int stop_bits = 1;               ///< 1 or 2
+  bool has_hardware_flow = false;  ///< by RTS and CTS
 };
 
 /// Sets up a terminal device and drops what it has received. False, with errno, when it is no

@@ -27,7 +27,7 @@ Descriptor open_far_end(const std::string& path) {
   return Descriptor(open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
 }
 
-// Where a symbolic link leads; empty: it is none.
+// Where a symbolic link leads; empty: it is no link.
 std::string link_target(const std::string& link) {
   std::array<char, PATH_MAX> target;
   const auto size = readlink(link.c_str(), target.data(), target.size());

@@ -48,8 +48,8 @@ void SerialEndpoint::open() {
   const std::string failure = open_device();
   if (!failure.empty()) {
     device_.reset();
-    report_warning("open", failure + "; it is tried again every " + number_text(options_.retry_s) +
-                               " s");
+    report_warning("open",
+                   failure + "; it is tried again every " + number_text(options_.retry_s) + " s");
     attempt_.start(options_.retry_s, [this] { open(); });
     return;
   }

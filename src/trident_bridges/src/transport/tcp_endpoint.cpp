@@ -51,8 +51,7 @@ void TcpEndpoint::add(Descriptor socket, const std::string& address) {
   const int descriptor = socket.get();
   connections_.push_back(std::make_unique<Connection>(
       Connection{id, std::move(socket), address, ByteQueue(options_.queue_bytes)}));
-  loop_.watch(descriptor, PollLoop::kReadable,
-              [this, id](std::uint32_t what) { ready(id, what); });
+  loop_.watch(descriptor, PollLoop::kReadable, [this, id](std::uint32_t what) { ready(id, what); });
   report_joined(id, address);
 }
 
@@ -97,7 +96,8 @@ int TcpEndpoint::send_to_all(Bytes block) {
 int TcpEndpoint::take(Connection& connection, Span<const Bytes> blocks) {
   int taken = 0;
   for (std::size_t begin = 0; begin < blocks.size();) {
-    const Span<const Bytes> some = blocks.subspan(begin, std::min(kMaxParts, blocks.size() - begin));
+    const Span<const Bytes> some =
+        blocks.subspan(begin, std::min(kMaxParts, blocks.size() - begin));
     std::size_t written = connection.queue.empty() ? write_now(connection, some) : 0;
     for (const Bytes block : some) {
       const std::size_t part = std::min(written, block.size());

@@ -36,14 +36,14 @@ void TcpServer::open(const EndpointUrl& url) {
   listener_ = Descriptor(socket(address.family(), SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const int on = 1;
   setsockopt(listener_.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
-  // Accepted sockets inherit these; a slow peer is not to have more in the kernel than in its queue.
+  // Accepted sockets inherit these; a slow peer is not to have more in the kernel than in its
+  // queue.
   const std::string buffers =
       set_socket_buffers(listener_.get(), options_.socket_buffer,
                          std::min(options_.socket_buffer, options_.queue_bytes));
   if (!listener_.is_open() || bind(listener_.get(), address.get(), address.size) != 0 ||
       listen(listener_.get(), kBacklog) != 0) {
-    throw Error("url '" + options_.url + "': bind " + address.text() + ": " +
-                std::strerror(errno));
+    throw Error("url '" + options_.url + "': bind " + address.text() + ": " + std::strerror(errno));
   }
   const SocketAddress bound = local_address(listener_.get());
   port_ = bound.port();
@@ -57,8 +57,8 @@ void TcpServer::accept_some() {
   for (int i = 0; i < kAcceptedPerTurn; ++i) {
     SocketAddress address;
     address.size = sizeof(address.storage);
-    Descriptor socket(accept4(listener_.get(), address.get(), &address.size,
-                              SOCK_CLOEXEC | SOCK_NONBLOCK));
+    Descriptor socket(
+        accept4(listener_.get(), address.get(), &address.size, SOCK_CLOEXEC | SOCK_NONBLOCK));
     if (socket.is_open()) {
       admit(std::move(socket), address);
     } else if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
@@ -85,8 +85,8 @@ void TcpServer::admit(Descriptor socket, const SocketAddress& address) {
 
 // The kernel would call for each turn what cannot be accepted now.
 void TcpServer::pause() {
-  report_warning("accept", std::string("a connection cannot be accepted now: ") +
-                               std::strerror(errno));
+  report_warning("accept",
+                 std::string("a connection cannot be accepted now: ") + std::strerror(errno));
   loop_.change(listener_.get(), 0);
   resumption_.start(kPause_s, [this] { loop_.change(listener_.get(), PollLoop::kReadable); });
 }

@@ -43,14 +43,13 @@ void UdpEndpoint::open(const EndpointUrl& url) {
   name_ = "udp " + address.text();
   socket_ = Descriptor(socket(address.family(), SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (!socket_.is_open() || bind(socket_.get(), address.get(), address.size) != 0) {
-    throw Error("url '" + options_.url + "': bind " + address.text() + ": " +
-                std::strerror(errno));
+    throw Error("url '" + options_.url + "': bind " + address.text() + ": " + std::strerror(errno));
   }
   const SocketAddress bound = local_address(socket_.get());
   port_ = bound.port();
   name_ = "udp " + bound.text();
   set_flag(socket_.get(), SO_RXQ_OVFL);
-  const std::string buffers = 
+  const std::string buffers =
       set_socket_buffers(socket_.get(), options_.socket_buffer, options_.socket_buffer);
   add_given_peer(url);
   describe(buffers, bound);
@@ -61,9 +60,8 @@ void UdpEndpoint::add_given_peer(const EndpointUrl& url) {
   if (url.host.empty() && !is_broadcast) return;
   const std::uint16_t port = url.port.value_or(options_.default_port);
   if (port == 0) throw Error("url '" + options_.url + "': host port is missing; legal: 1 to 65535");
-  const SocketAddress address =
-      resolve_allowed(options_.url, "host", url.host.empty() ? kBroadcast : url.host, port,
-                      options_.allow_remote);
+  const SocketAddress address = resolve_allowed(
+      options_.url, "host", url.host.empty() ? kBroadcast : url.host, port, options_.allow_remote);
   if (is_broadcast) set_flag(socket_.get(), SO_BROADCAST);
   broadcasts_until_answer_ = url.kind == EndpointKind::kUdpBroadcast;
   const PeerId id = peers_.add(address);

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "trident_base/error.h"
-#include "trident_base/option_number.h"
 #include "trident_base/string_util.h"
 
 namespace trident::bridges {
@@ -79,15 +81,13 @@ class Parser {
 
   std::int64_t number(const std::string& field, std::string_view text, std::int64_t lo,
                       std::int64_t hi) const {
-    const bool is_digits =
-        !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-          return std::isdigit(c) != 0;
-        });
-    if (!is_digits) {
-      fail(field + " '" + std::string(text) + "' is no number; legal: " + std::to_string(lo) +
+    std::int64_t value = -1;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc() || end != text.data() + text.size() || value < lo || value > hi) {
+      fail(field + " '" + std::string(text) + "' is not legal; legal: " + std::to_string(lo) +
            " to " + std::to_string(hi));
     }
-    return option_count("url '" + std::string(text_) + "': " + field, std::string(text), lo, hi);
+    return value;
   }
 
   // Reads "?ids=system,component" and returns what stands before it, without the slash.

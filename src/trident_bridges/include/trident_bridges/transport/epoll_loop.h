@@ -48,7 +48,8 @@ class EpollLoop : public PollLoop {
  private:
   struct Watch {
     int descriptor;
-    std::uint32_t serial;  ///< keeps events of a descriptor that was forgotten apart from later ones
+    std::uint32_t
+        serial;  ///< keeps events of a descriptor that was forgotten apart from later ones
     Callback callback;
   };
   struct WaitingCall {
