@@ -90,6 +90,9 @@ class DirectInbox {
         node, id, object_subscription<Message>(topic, queue_size, putter(id), put_object, &queue_));
   }
 
+  /// Readable when wait() would return true: the loop of a node that has other descriptors, too,
+  /// can watch it, and then calls wait() without waiting, and read().
+  int descriptor() const { return descriptors_.epoll; }
   /// Waits until there is something to read, or wake() is called. False: the time is over.
   bool wait(std::chrono::milliseconds limit);
   /// Runs the handlers of what has come.
