@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_bridges_ros/node_poll_loop.h"
 
+#include <rosgraph_msgs/Clock.h>
+
 #include <chrono>
+#include <utility>
+#include <vector>
 
 namespace trident::bridges {
 namespace {
@@ -12,7 +16,20 @@ using namespace std::chrono_literals;
 // Nothing wakes the loop when roscpp shuts down by a signal.
 constexpr double kLookAtRos_s = 0.1;
 
+// Names are remapped once: roscpp's /clock is a topic that nobody publishes, and this is /clock.
+constexpr const char* kClock = "/clock_of_the_loop";
+
 }  // namespace
+
+void init_node(int argc, char** argv, const std::string& name) {
+  std::string no_clock = "/clock:=/clock_not_used";
+  std::string own_clock = std::string(kClock) + ":=/clock";
+  std::vector<char*> arguments(argv, argv + argc);
+  arguments.insert(arguments.end(), {no_clock.data(), own_clock.data()});
+  int count = static_cast<int>(arguments.size());
+  arguments.push_back(nullptr);
+  ros::init(count, arguments.data(), name);
+}
 
 void NodePollLoop::Queue::addCallback(const ros::CallbackInterfacePtr& callback,
                                       std::uint64_t owner) {
@@ -27,6 +44,17 @@ NodePollLoop::NodePollLoop() : queue_(loop_) {
 }
 
 NodePollLoop::~NodePollLoop() { loop_.forget(inbox_.descriptor()); }
+
+bool NodePollLoop::follow_clock(ros::NodeHandle& node,
+                                std::function<void(const ros::Time&)> handler) {
+  if (!ros::Time::isSimTime()) return false;
+  clock_ = subscribe<rosgraph_msgs::Clock>(
+      node, kClock, 1, [handler = std::move(handler)](const rosgraph_msgs::Clock& message) {
+        ros::Time::setNow(message.clock);
+        handler(message.clock);
+      });
+  return true;
+}
 
 void NodePollLoop::run() {
   while (ros::ok() && loop_.run_once(kLookAtRos_s)) {

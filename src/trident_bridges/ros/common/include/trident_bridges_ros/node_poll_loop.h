@@ -15,6 +15,10 @@
 
 namespace trident::bridges {
 
+/// ros::init() of a node whose thread is a NodePollLoop. With /use_sim_time, roscpp would subscribe
+/// to /clock with a thread of its own; NodePollLoop::follow_clock() does so instead.
+void init_node(int argc, char** argv, const std::string& name);
+
 /// One thread that serves a node's topics and its endpoints: what comes from a socket is decoded
 /// and published, and what comes on a topic is encoded and sent, without waking another thread.
 ///
@@ -24,7 +28,7 @@ namespace trident::bridges {
 /// - A service that must wait for an endpoint's answer cannot run here: it is served by a spinner
 ///   of its own and uses loop().post().
 ///
-/// ros::init() comes first. One of them in a process that is nothing else, not a nodelet manager.
+/// init_node() comes first. One of them in a process that is nothing else, not a nodelet manager.
 class NodePollLoop {
  public:
   /// Throws Error when the system has no descriptor left.
@@ -64,6 +68,10 @@ class NodePollLoop {
     return inbox_.subscribe<Message>(node, topic, queue_size, std::move(handler));
   }
 
+  /// With /use_sim_time: ros::Time::now() follows /clock from now on, and `handler` is called with
+  /// each time. Otherwise nothing happens, and false is returned.
+  bool follow_clock(ros::NodeHandle& node, std::function<void(const ros::Time&)> handler);
+
   /// Serves everything until ros::ok() is false or stop() is called.
   void run();
   /// Serves what is ready, after at most `timeout_s` [s] of waiting.
@@ -85,6 +93,7 @@ class NodePollLoop {
   EpollLoop loop_;
   Queue queue_;
   ros_utils::DirectInbox inbox_;
+  std::unique_ptr<ros_utils::DirectSubscription> clock_;
 };
 
 }  // namespace trident::bridges

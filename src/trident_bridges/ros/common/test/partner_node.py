@@ -1,0 +1,36 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The other end of node_poll_loop_check.
+
+Sends back what it gets on ``question``, on ``answer``, and the header's number of what it gets on
+``numbered``, on ``numbers``; is the source of /clock, one simulated second each 10 ms.
+"""
+
+from __future__ import annotations
+
+import threading
+
+import rospy
+from rosgraph_msgs.msg import Clock
+from std_msgs.msg import String, UInt32
+
+from trident_msgs.msg import WindReading
+
+rospy.init_node("partner")
+answer = rospy.Publisher("answer", String, queue_size=0, tcp_nodelay=True)
+numbers = rospy.Publisher("numbers", UInt32, queue_size=0, tcp_nodelay=True)
+clock = rospy.Publisher("/clock", Clock, queue_size=1, tcp_nodelay=True)
+rospy.Subscriber("question", String, answer.publish, tcp_nodelay=True)
+rospy.Subscriber(
+    "numbered",
+    WindReading,
+    lambda message: numbers.publish(UInt32(message.header.seq)),
+    tcp_nodelay=True,
+)
+end = threading.Event()
+rospy.on_shutdown(end.set)
+time_s = 0
+while not end.wait(0.01):
+    time_s += 1
+    clock.publish(Clock(rospy.Time(time_s)))
