@@ -57,5 +57,6 @@ BENCHMARKS = (
     Benchmark("slam", "slam.benchmark", "measure SLAM on the public logs, or in a simulated world"),
     Benchmark("posegraph", "posegraph.benchmark", "compare pose-graph optimisation with GTSAM"),
     Benchmark("links", "links.benchmark", "compare radios with ns-3, and measure what they cost"),
+    Benchmark("bridges", "bridges.benchmark", "measure bridges between ROS and other protocols"),
     Benchmark("table", "sim.saved_table", "the Markdown table of a saved benchmark"),
 )
