@@ -54,6 +54,7 @@ COMMANDS = (
     "slam",
     "view",
     "links",
+    "latency",
     "posegraph",
     "worldmap",
     "worldgen",

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from trident_tool.formation import Handler
+from trident_tool.links import run_at_master
 from trident_tool.modules import run_module
 from trident_tool.workspace import Runner, TridentError, Workspace
 
@@ -76,7 +77,7 @@ def add_evaluation_commands(add: Callable[[str, Handler, str], argparse.Argument
 def _add_commands(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
     options = _load_options()
     for command in options.COMMANDS:
-        sub = add(command.name, _cmd_report if command.name == "report" else _run, command.help)
+        sub = add(command.name, _HANDLERS.get(command.name, _run), command.help)
         _set_up(sub, command)
     bench = add("bench", _run, "measure; each benchmark has options of its own: bench sim -h")
     kinds = bench.add_subparsers(dest=_WHAT_IS_MEASURED, metavar="BENCHMARK", required=True)
@@ -105,3 +106,13 @@ def _cmd_report(workspace: Workspace, runner: Runner, options: argparse.Namespac
     if not runner.dry_run and not options.source.exists():
         raise TridentError(f"{options.source} does not exist: report needs a run folder or a bag")
     return _run(workspace, runner, options)
+
+
+def _cmd_latency(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    if runner.dry_run:
+        return _run(workspace, runner, options)
+    module, *before = options.call
+    return run_at_master(workspace, runner, module, [*before, *words_of(options, options.argv)])
+
+
+_HANDLERS: dict[str, Handler] = {"report": _cmd_report, "latency": _cmd_latency}

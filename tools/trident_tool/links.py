@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import argparse
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from trident_tool.building import build
 from trident_tool.environment import ros_environment
@@ -31,11 +31,20 @@ def _cmd_links(workspace: Workspace, runner: Runner, options: argparse.Namespace
     del options
     if runner.dry_run:
         return runner.run(["/usr/bin/python3", "-m", _MODULE])
+    return run_at_master(workspace, runner, _MODULE, [])
+
+
+def run_at_master(workspace: Workspace, runner: Runner, module: str, words: Sequence[str]) -> int:
+    """Builds what is missing and runs a module next to a running system; its exit code.
+
+    Raises:
+        TridentError: no roscore is reachable.
+    """
     uri = _reachable_master(workspace)
     build(workspace, runner)
     env = ros_environment(workspace) | {"ROS_MASTER_URI": uri}
     env.setdefault("ROS_HOSTNAME", "localhost")
-    return runner.run(module_command(_MODULE), env=env)
+    return runner.run(module_command(module, *words), env=env)
 
 
 def _reachable_master(workspace: Workspace) -> str:

@@ -44,6 +44,8 @@ int run_listener(const ProbeOptions& options) {
   ros::SubscribeOptions subscription = ros_utils::raw_subscription<AnyMessage>(
       options.topic, 1000,
       [&](Span<const std::uint8_t> bytes) {
+        // Before the first /clock there is no time to compare with.
+        if (!ros::Time::isValid()) return;
         const auto now_ns = static_cast<std::int64_t>(ros::Time::now().toNSec());
         if (bytes.size() < kHeaderBytes || number >= record.capacity()) return;
         std::uint32_t stamp[2];

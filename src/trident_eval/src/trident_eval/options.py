@@ -101,6 +101,52 @@ def add_pose_graph(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_latency(parser: argparse.ArgumentParser) -> None:
+    """Of `./trident latency`."""
+    parser.add_argument(
+        "topic",
+        metavar="TOPIC",
+        help="of a running system: by its stamps; one that nobody publishes: messages of our own",
+    )
+    parser.add_argument(
+        "--against",
+        metavar="ECHO_TOPIC",
+        help="publish on TOPIC, and measure until the same message comes back here",
+    )
+    parser.add_argument("--rate", type=_rate, default=500.0, metavar="HZ", help="default: 500")
+    parser.add_argument("--count", type=_count, default=5000, metavar="N", help="messages: 5000")
+    parser.add_argument("--size", type=_size, default=280, metavar="BYTES", help="of `bytes`: 280")
+    parser.add_argument(
+        "--message",
+        choices=["bytes", "float32", "float64", "odometry", "nav_sat_fix"],
+        default="bytes",
+        help="what is published; default: bytes, std_msgs/UInt8MultiArray",
+    )
+    parser.add_argument("--out", type=Path, metavar="FILE.png", help="a histogram")
+
+
+def _rate(text: str) -> float:
+    value = float(text)
+    if not 0.0 < value <= 1e6:
+        raise argparse.ArgumentTypeError(f"{text} is not legal; legal: above 0, up to 1e6")
+    return value
+
+
+def _count(text: str) -> int:
+    return _whole(text, 1, 10_000_000)
+
+
+def _size(text: str) -> int:
+    return _whole(text, 8, 100_000_000)
+
+
+def _whole(text: str, low: int, high: int) -> int:
+    value = int(text)
+    if not low <= value <= high:
+        raise argparse.ArgumentTypeError(f"{text} is not legal; legal: {low} to {high}")
+    return value
+
+
 _SLAM = "trident_eval.slam"
 #: Commands of ./trident.
 COMMANDS = (
@@ -122,6 +168,12 @@ COMMANDS = (
         (_SLAM, "evaluate"),
         "judge a trajectory and a map by relations or by the truth",
         add_evaluate,
+    ),
+    Command(
+        "latency",
+        ("trident_eval.latency",),
+        "how long the messages of a topic take, next to those of a bare one",
+        add_latency,
     ),
     Command(
         "posegraph",
