@@ -1,4 +1,47 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
 
-# Sources are added by their room.
+# --- the dialect's C headers, made at build time --------------------------------------------------
+set(mavlink_generated "${CMAKE_CURRENT_BINARY_DIR}/mavlink")
+set(mavlink_python "${CMAKE_SOURCE_DIR}/.venv/bin/python")
+if(NOT EXISTS "${mavlink_python}")
+  set(mavlink_python "${PYTHON_EXECUTABLE}")
+endif()
+add_custom_command(
+  OUTPUT "${mavlink_generated}/trident_message_list.h"
+  COMMAND "${mavlink_python}" "${CMAKE_CURRENT_SOURCE_DIR}/dialect/generate.py" "${mavlink_generated}"
+  DEPENDS dialect/generate.py dialect/trident.xml "${CMAKE_SOURCE_DIR}/tools/requirements.txt"
+  COMMENT "MAVLink headers from dialect/trident.xml"
+  VERBATIM)
+add_custom_target(trident_bridges_mavlink_headers DEPENDS "${mavlink_generated}/trident_message_list.h")
+
+# --- codec and protocol state machines ------------------------------------------------------------
+trident_bridges_room(mavlink
+  src/mavlink/checksum.cpp
+  src/mavlink/message_json.cpp
+  src/mavlink/message_table.cpp
+  src/mavlink/packet.cpp
+  src/mavlink/packet_parser.cpp
+  src/mavlink/packet_writer.cpp
+  src/mavlink/sequence_tracker.cpp
+  src/mavlink/signing.cpp
+  src/mavlink/signing_file.cpp
+  src/mavlink/tlog.cpp
+)
+add_dependencies(trident_bridges_mavlink trident_bridges_mavlink_headers)
+target_include_directories(trident_bridges_mavlink SYSTEM PUBLIC "$<BUILD_INTERFACE:${mavlink_generated}>")
+
+add_executable(mavlink_decode programs/mavlink_decode.cpp)
+target_compile_options(mavlink_decode PRIVATE -Wall -Wextra)
+target_link_libraries(mavlink_decode trident_bridges_mavlink)
+set_target_properties(mavlink_decode PROPERTIES
+  RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+install(TARGETS mavlink_decode RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+
+trident_bridges_test(mavlink
+  test/mavlink/packet_parser_test.cpp
+  test/mavlink/packets.cpp
+)
+if(CATKIN_ENABLE_TESTING AND COMMAND trident_add_pytest)
+  trident_add_pytest(trident_bridges_mavlink_pymavlink test/mavlink)
+endif()

@@ -70,4 +70,12 @@ std::string Sha256::hex_digest() const {
   return text;
 }
 
+std::array<std::uint8_t, 32> Sha256::digest_and_reset() {
+  std::array<std::uint8_t, 32> digest;
+  unsigned int size = 0;
+  check(EVP_DigestFinal_ex(context_->evp.get(), digest.data(), &size));
+  check(EVP_DigestInit_ex(context_->evp.get(), nullptr, nullptr));
+  return digest;
+}
+
 }  // namespace trident

@@ -35,6 +35,18 @@ TEST(Sha256, PiecesGiveTheSameDigestAsTheWhole) {
   EXPECT_EQ(hash.hex_digest(), digest_of("abc"));
 }
 
+TEST(Sha256, AfterAResetADigestIsOfWhatFollows) {
+  Sha256 hash;
+  hash.update_string("first");
+  hash.digest_and_reset();
+  hash.update_string("abc");
+  const std::array<std::uint8_t, 32> digest = hash.digest_and_reset();
+  EXPECT_EQ(digest[0], 0xba);
+  EXPECT_EQ(digest[31], 0xad);
+  hash.update_string("abc");
+  EXPECT_EQ(hash.hex_digest(), digest_of("abc"));
+}
+
 TEST(Sha256, ADoubleIsItsLittleEndianBytes) {
   Sha256 hash;
   hash.update_double(-2.5);  // 0xC004000000000000

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -28,6 +30,9 @@ class Sha256 {
 
   /// 64 lower-case hexadecimal digits of everything so far; more may be added afterwards.
   std::string hex_digest() const;
+  /// The 32 bytes of the digest of everything so far; what is added afterwards begins a new one.
+  /// Allocates nothing.
+  std::array<std::uint8_t, 32> digest_and_reset();
 
  private:
   struct Context;
