@@ -20,6 +20,10 @@ trident_bridges_room(mavlink
   src/mavlink/checksum.cpp
   src/mavlink/message_json.cpp
   src/mavlink/message_table.cpp
+  src/mavlink/mission.cpp
+  src/mavlink/mission_client.cpp
+  src/mavlink/mission_messages.cpp
+  src/mavlink/mission_server.cpp
   src/mavlink/packet.cpp
   src/mavlink/packet_parser.cpp
   src/mavlink/packet_writer.cpp
@@ -39,8 +43,12 @@ set_target_properties(mavlink_decode PROPERTIES
 install(TARGETS mavlink_decode RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
 trident_bridges_test(mavlink
+  test/mavlink/frames_test.cpp
+  test/mavlink/mission_test.cpp
+  test/mavlink/packet_fuzz_test.cpp
   test/mavlink/packet_parser_test.cpp
   test/mavlink/packets.cpp
+  test/mavlink/signing_test.cpp
 )
 if(CATKIN_ENABLE_TESTING AND COMMAND trident_add_pytest)
   trident_add_pytest(trident_bridges_mavlink_pymavlink test/mavlink)
