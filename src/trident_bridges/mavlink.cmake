@@ -18,7 +18,11 @@ add_custom_target(trident_bridges_mavlink_headers DEPENDS "${mavlink_generated}/
 # --- codec and protocol state machines ------------------------------------------------------------
 trident_bridges_room(mavlink
   src/mavlink/checksum.cpp
+  src/mavlink/command_client.cpp
+  src/mavlink/command_server.cpp
+  src/mavlink/heartbeat_monitor.cpp
   src/mavlink/message_json.cpp
+  src/mavlink/message_streams.cpp
   src/mavlink/message_table.cpp
   src/mavlink/mission.cpp
   src/mavlink/mission_client.cpp
@@ -27,9 +31,14 @@ trident_bridges_room(mavlink
   src/mavlink/packet.cpp
   src/mavlink/packet_parser.cpp
   src/mavlink/packet_writer.cpp
+  src/mavlink/parameter_client.cpp
+  src/mavlink/parameter_server.cpp
   src/mavlink/sequence_tracker.cpp
   src/mavlink/signing.cpp
   src/mavlink/signing_file.cpp
+  src/mavlink/small_services.cpp
+  src/mavlink/status_text.cpp
+  src/mavlink/timesync.cpp
   src/mavlink/tlog.cpp
 )
 add_dependencies(trident_bridges_mavlink trident_bridges_mavlink_headers)
@@ -43,11 +52,14 @@ set_target_properties(mavlink_decode PROPERTIES
 install(TARGETS mavlink_decode RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
 trident_bridges_test(mavlink
+  test/mavlink/command_test.cpp
   test/mavlink/frames_test.cpp
   test/mavlink/mission_test.cpp
   test/mavlink/packet_fuzz_test.cpp
   test/mavlink/packet_parser_test.cpp
   test/mavlink/packets.cpp
+  test/mavlink/parameter_test.cpp
+  test/mavlink/services_test.cpp
   test/mavlink/signing_test.cpp
 )
 if(CATKIN_ENABLE_TESTING AND COMMAND trident_add_pytest)

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mavlink/lossy_link.h"
+#include "mavlink/packets.h"
 #include "trident_bridges/mavlink/dialect.h"
 #include "trident_bridges/mavlink/mission_client.h"
 #include "trident_bridges/mavlink/mission_server.h"
@@ -19,7 +20,10 @@
 namespace trident::bridges::mavlink {
 namespace {
 
-constexpr Address kVehicle{1, 1}, kGround{255, 190}, kOther{254, 190};
+using testing::kGround;
+using testing::kVehicle;
+
+constexpr Address kOther{254, 190};
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 Mission waypoints(std::size_t count, std::int32_t first_x = 0) {
@@ -35,8 +39,8 @@ Mission waypoints(std::size_t count, std::int32_t first_x = 0) {
 }
 
 /// A vehicle and a ground station, with a radio between them.
-struct Pair {
-  explicit Pair(double loss = 0.0, const std::string& name = "pair", double repeat = 0.0,
+struct MissionPair {
+  explicit MissionPair(double loss = 0.0, const std::string& name = "pair", double repeat = 0.0,
                 double delay_s = 0.01)
       : link(loss, delay_s, name, repeat),
         server(kVehicle, link.from(0),
@@ -64,7 +68,7 @@ struct Pair {
 };
 
 TEST(Mission, AnUploadedListIsTheOneThatIsDownloaded) {
-  Pair pair;
+  MissionPair pair;
   Mission sent = waypoints(12, -338'000'000);
   sent[3].command = MAV_CMD_DO_JUMP;
   sent[3].frame = MAV_FRAME_MISSION;
@@ -87,7 +91,7 @@ TEST(Mission, AnUploadedListIsTheOneThatIsDownloaded) {
 }
 
 TEST(Mission, EmptyListsPassInBothDirections) {
-  Pair pair;
+  MissionPair pair;
   pair.server.set_mission(MissionType::kMission, waypoints(3));
   pair.client.upload(kVehicle, MissionType::kMission, {}, pair.link.now());
   pair.run();
@@ -99,11 +103,11 @@ TEST(Mission, EmptyListsPassInBothDirections) {
   EXPECT_TRUE(pair.outcome && pair.outcome->verdict.is_accepted());
 }
 
-TEST(Mission, UploadsAreWholeAndWithin12SecondsUnder30PercentLossBothWays) {
+TEST(Mission, UploadsAreWholeAndWithin12SecondsUnder30PercentLossInBothDirections) {
   const Mission sent = waypoints(100);
   double longest_s = 0.0;
   for (int run = 0; run < 200; ++run) {
-    Pair pair(0.3, "lossy " + std::to_string(run), 0.02);
+    MissionPair pair(0.3, "lossy " + std::to_string(run), 0.02);
     pair.client.upload(kVehicle, MissionType::kMission, sent, pair.link.now());
     longest_s = std::max(longest_s, pair.run());
     ASSERT_TRUE(pair.outcome && pair.outcome->verdict.is_accepted()) << run;
@@ -112,9 +116,9 @@ TEST(Mission, UploadsAreWholeAndWithin12SecondsUnder30PercentLossBothWays) {
   EXPECT_LE(longest_s, 12.0);
 }
 
-TEST(Mission, DownloadsAreWholeUnder30PercentLossBothWays) {
+TEST(Mission, DownloadsAreWholeUnder30PercentLossInBothDirections) {
   for (int run = 0; run < 20; ++run) {
-    Pair pair(0.3, "download " + std::to_string(run), 0.02);
+    MissionPair pair(0.3, "download " + std::to_string(run), 0.02);
     pair.server.set_mission(MissionType::kFence, waypoints(100));
     pair.client.download(kVehicle, MissionType::kFence, pair.link.now());
     EXPECT_LE(pair.run(), 12.0);
@@ -124,7 +128,7 @@ TEST(Mission, DownloadsAreWholeUnder30PercentLossBothWays) {
 }
 
 TEST(Mission, ALongDelayIsNoReasonToAskAllTheTime) {
-  Pair pair(0.0, "slow", 0.0, 0.4);
+  MissionPair pair(0.0, "slow", 0.0, 0.4);
   pair.client.upload(kVehicle, MissionType::kMission, waypoints(50), pair.link.now());
   pair.run(120.0);
   ASSERT_TRUE(pair.outcome && pair.outcome->verdict.is_accepted());
@@ -132,8 +136,8 @@ TEST(Mission, ALongDelayIsNoReasonToAskAllTheTime) {
 }
 
 /// A vehicle alone, fed by hand.
-struct Vehicle {
-  explicit Vehicle(MissionServerEvents events = {})
+struct MissionVehicle {
+  explicit MissionVehicle(MissionServerEvents events = {})
       : server(
             kVehicle, [this](const Message& m) { sent.push_back(m); }, with_reasons(events)) {}
   MissionServerEvents with_reasons(MissionServerEvents events) {
@@ -189,7 +193,7 @@ struct Vehicle {
 };
 
 TEST(MissionServer, AfterACountAndSilenceTheOldMissionStays) {
-  Vehicle vehicle;
+  MissionVehicle vehicle;
   vehicle.server.set_mission(MissionType::kMission, waypoints(3));
   vehicle.count(5);
   vehicle.item(0);
@@ -204,7 +208,7 @@ TEST(MissionServer, AfterACountAndSilenceTheOldMissionStays) {
 }
 
 TEST(MissionServer, ItemsOfAnotherListOrPartnerDoNotGetIn) {
-  Vehicle vehicle;
+  MissionVehicle vehicle;
   vehicle.count(2);
   vehicle.item(0, 11, kGround, 1);
   vehicle.item(0, 12, kOther);
@@ -218,7 +222,7 @@ TEST(MissionServer, ItemsOfAnotherListOrPartnerDoNotGetIn) {
 }
 
 TEST(MissionServer, ASecondPartnerWaitsUntilTheFirstHasEnded) {
-  Vehicle vehicle;
+  MissionVehicle vehicle;
   vehicle.count(2);
   vehicle.count(1, kOther);
   EXPECT_EQ(vehicle.last_ack(), MissionResult::kDenied);
@@ -232,7 +236,7 @@ TEST(MissionServer, ASecondPartnerWaitsUntilTheFirstHasEnded) {
 }
 
 TEST(MissionServer, NegativeAndTooLargeIndicesAreRefused) {
-  Vehicle vehicle;
+  MissionVehicle vehicle;
   vehicle.server.set_mission(MissionType::kMission, waypoints(3));
   vehicle.count(2);
   vehicle.item(static_cast<std::uint16_t>(-1));
@@ -245,7 +249,7 @@ TEST(MissionServer, NegativeAndTooLargeIndicesAreRefused) {
 }
 
 TEST(MissionServer, APartOfAListIsReplacedWholeOrNotAtAll) {
-  Vehicle vehicle;
+  MissionVehicle vehicle;
   vehicle.server.set_mission(MissionType::kMission, waypoints(4));
   vehicle.partial(1, 2);
   vehicle.item(1, 77);
@@ -270,13 +274,13 @@ TEST(MissionServer, PlacesThatAreNoPlacesAreRefused) {
                          Row{900'000'001, 1.0F, MissionResult::kInvalidParam5},
                          Row{INT32_MAX, 1.0F, MissionResult::kInvalidParam5},
                          Row{INT32_MIN, 1.0F, MissionResult::kInvalidParam5}}) {
-    Vehicle vehicle;
+    MissionVehicle vehicle;
     vehicle.count(1);
     vehicle.item(0, row.x, kGround, 0, row.z);
     EXPECT_EQ(vehicle.last_ack(), row.result);
     EXPECT_TRUE(vehicle.mission().empty());
   }
-  Vehicle vehicle;
+  MissionVehicle vehicle;
   vehicle.count(1);
   mavlink_mission_item_t payload{};
   payload.target_system = kVehicle.system;
@@ -287,7 +291,7 @@ TEST(MissionServer, PlacesThatAreNoPlacesAreRefused) {
 }
 
 TEST(MissionServer, ListsOfUpTo2000ItemsHavePlace) {
-  Vehicle vehicle;
+  MissionVehicle vehicle;
   vehicle.count(2001);
   EXPECT_EQ(vehicle.last_ack(), MissionResult::kNoSpace);
   EXPECT_EQ(vehicle.reasons.back(), "mission of 2001 items, legal: up to 2000");
@@ -307,7 +311,7 @@ TEST(MissionServer, WhatTheVehicleRefusesKeepsTheOldList) {
     return mission.size() == 2 ? MissionVerdict{MissionResult::kInvalid, "2 are no mission"}
                                : MissionVerdict{};
   };
-  Vehicle vehicle(events);
+  MissionVehicle vehicle(events);
   vehicle.server.set_mission(MissionType::kMission, waypoints(5));
   vehicle.count(3);
   vehicle.item(0);
@@ -322,7 +326,7 @@ TEST(MissionServer, WhatTheVehicleRefusesKeepsTheOldList) {
 }
 
 TEST(MissionServer, AReaderGetsTheListThatWasThereWhenHeBegan) {
-  Vehicle vehicle;
+  MissionVehicle vehicle;
   vehicle.server.set_mission(MissionType::kMission, waypoints(2, 100));
   mavlink_mission_request_list_t list{};
   list.target_system = kVehicle.system;
@@ -339,7 +343,7 @@ TEST(MissionServer, AReaderGetsTheListThatWasThereWhenHeBegan) {
 }
 
 TEST(MissionServer, APartnerWithoutItemIntIsAskedInTheOldForm) {
-  Vehicle vehicle;
+  MissionVehicle vehicle;
   vehicle.count(2);
   vehicle.wait(1.2);
   const auto asked_old =
@@ -360,7 +364,7 @@ TEST(MissionServer, APartnerWithoutItemIntIsAskedInTheOldForm) {
 }
 
 TEST(MissionServer, ClearingOneListLeavesTheOthers) {
-  Vehicle vehicle;
+  MissionVehicle vehicle;
   for (const MissionType type : {MissionType::kMission, MissionType::kFence}) {
     vehicle.server.set_mission(type, waypoints(2));
   }
@@ -375,7 +379,7 @@ TEST(MissionServer, ClearingOneListLeavesTheOthers) {
 }
 
 TEST(MissionServer, MessagesForOthersAreNotItsOwn) {
-  Vehicle vehicle;
+  MissionVehicle vehicle;
   mavlink_mission_count_t payload{};
   payload.target_system = 2;
   EXPECT_FALSE(vehicle.server.handle(pack(payload, kGround), vehicle.now));
@@ -386,7 +390,7 @@ TEST(MissionServer, MessagesForOthersAreNotItsOwn) {
 }
 
 TEST(MissionClient, AVehicleThatIsSilentIsNamed) {
-  Pair pair(1.0, "dead");
+  MissionPair pair(1.0, "dead");
   pair.client.upload({9, 1}, MissionType::kFence, waypoints(2), pair.link.now());
   EXPECT_NEAR(pair.run(), 10.0, 0.1);
   ASSERT_TRUE(pair.outcome);
@@ -394,7 +398,7 @@ TEST(MissionClient, AVehicleThatIsSilentIsNamed) {
 }
 
 TEST(MissionClient, ARefusalEndsAnUploadWithTheVehiclesAnswer) {
-  Pair pair;
+  MissionPair pair;
   Mission mission = waypoints(4);
   mission[2].x = 950'000'000;
   pair.client.upload(kVehicle, MissionType::kMission, mission, pair.link.now());

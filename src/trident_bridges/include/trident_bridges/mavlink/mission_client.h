@@ -29,18 +29,18 @@ class MissionClient {
   MissionClient(Address self, MessageSink send,
                 std::function<void(const MissionOutcome&)> finished);
 
-  /// Begins a transfer with the vehicle `target`; what was under way ends as cancelled.
+  /// Begins a transfer with the vehicle `target`; what was in progress ends as cancelled.
   void upload(Address target, MissionType type, Mission mission, SimTime now);
   void download(Address target, MissionType type, SimTime now);  ///< see upload()
   void clear(Address target, MissionType type, SimTime now);     ///< see upload()
-  /// Ends what is under way; the vehicle hears of it.
+  /// Ends what is in progress; the vehicle hears of it.
   void cancel();
 
   /// True when the message belongs to the transfer.
   bool handle(const Message& message, SimTime now);
   /// Repeats and gives up; to be called at least every 50 ms while is_busy().
   void update(SimTime now);
-  bool is_busy() const { return transfer_.has_value(); }  ///< a transfer is under way
+  bool is_busy() const { return transfer_.has_value(); }  ///< one is in progress
   std::size_t items_done() const { return transfer_ ? transfer_->next : 0; }  ///< of the transfer
 
  private:

@@ -83,7 +83,7 @@ class MissionServer {
   void on_clear(Address peer, std::uint8_t type);
   void on_set_current(Address peer, std::uint16_t item);
 
-  /// Begins an upload unless another partner's is under way.
+  /// Begins an upload unless another partner's is in progress.
   void begin(Upload upload, SimTime now);
   void request_next(SimTime now);
   void finish(SimTime now);

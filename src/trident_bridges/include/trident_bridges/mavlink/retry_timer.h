@@ -37,7 +37,7 @@ class RetryTimer {
     tries_ = 0;
   }
   /// An answer has come that was there before.
-  void answered_twice() { stretch_ = std::min(1.5 * stretch_, kLongest_s / kShortest_s); }
+  void answered_twice() { lengthening_ = std::min(1.5 * lengthening_, kLongest_s / kShortest_s); }
 
   /// Whether the message is to be sent again.
   bool is_due(SimTime now) const { return tries_ > 0 && (now - sent_).seconds() >= timeout_s(); }
@@ -48,12 +48,12 @@ class RetryTimer {
   /// [s].
   double timeout_s() const {
     const double measured = smoothed_s_ > 0.0 ? smoothed_s_ + 4.0 * deviation_s_ : kFirst_s;
-    return std::clamp(measured * stretch_, kShortest_s, kLongest_s);
+    return std::clamp(measured * lengthening_, kShortest_s, kLongest_s);
   }
 
  private:
   void measure(double round_trip_s) {
-    stretch_ = 1.0;
+    lengthening_ = 1.0;
     if (!is_measured_) {
       smoothed_s_ = round_trip_s;
       deviation_s_ = 0.5 * round_trip_s;
@@ -74,7 +74,7 @@ class RetryTimer {
   SimTime sent_, begun_;
   std::uint32_t tries_ = 0;
   bool is_measured_ = false;
-  double smoothed_s_ = 0.0, deviation_s_ = 0.0, stretch_ = 1.0;
+  double smoothed_s_ = 0.0, deviation_s_ = 0.0, lengthening_ = 1.0;
 };
 
 }  // namespace trident::bridges::mavlink

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_bridges/mavlink/parameter_client.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mavlink/parameter_messages.h"
+
+namespace trident::bridges::mavlink {
+namespace {
+
+constexpr double kGap_s = 0.3;            // a list that is silent for so long has gaps
+constexpr std::size_t kMaxRequests = 20;  // for single parameters at a time
+constexpr std::uint32_t kTriesToBelieve = 3;  // that a vehicle keeps another value
+constexpr std::uint16_t kNoIndex = 65535; // of a PARAM_VALUE that answers PARAM_SET
+
+}  // namespace
+
+ParameterClient::ParameterClient(Address self, Address target, MessageSink send,
+                                 ParameterEncoding encoding)
+    : self_(self), target_(target), send_(std::move(send)), encoding_(encoding) {}
+
+void ParameterClient::fetch(SimTime now, Done done) {
+  fetch_ = Fetch{0, {}, now, now, std::move(done)};
+  request_list();
+}
+
+void ParameterClient::request_list() {
+  mavlink_param_request_list_t payload{};
+  payload.target_system = target_.system;
+  payload.target_component = target_.component;
+  send_(pack(payload, self_));
+}
+
+void ParameterClient::request_missing() {
+  std::size_t requests = 0;
+  for (std::size_t i = 0; i < fetch_->count && requests < kMaxRequests; ++i) {
+    if (fetch_->received.count(i) != 0) continue;
+    mavlink_param_request_read_t payload{};
+    payload.target_system = target_.system;
+    payload.target_component = target_.component;
+    payload.param_index = static_cast<std::int16_t>(i);
+    send_(pack(payload, self_));
+    ++requests;
+  }
+}
+
+void ParameterClient::set(const std::string& name, double value, SimTime now, Done done) {
+  if (set_) {
+    const Done replaced = std::move(set_->done);
+    set_.reset();
+    if (replaced) replaced(false, "replaced by a newer one");
+  }
+  const auto known = parameters_.find(name);
+  const auto type = known == parameters_.end() ? ParameterType::kReal32 : known->second.type;
+  set_ = Set{name, value, type, {}, std::move(done)};
+  set_->timer.start(now);
+  send_set();
+}
+
+void ParameterClient::send_set() {
+  mavlink_param_set_t payload{};
+  payload.target_system = target_.system;
+  payload.target_component = target_.component;
+  put_parameter_name(set_->name, payload.param_id);
+  payload.param_type = static_cast<std::uint8_t>(set_->type);
+  payload.param_value = encode_parameter(set_->value, set_->type, encoding_);
+  send_(pack(payload, self_));
+}
+
+bool ParameterClient::handle(const Message& message, SimTime now) {
+  if (!is<mavlink_param_value_t>(message) || !is_for(target_, message.source)) return false;
+  const auto payload = unpack<mavlink_param_value_t>(message);
+  Parameter parameter;
+  parameter.name = parameter_name(payload.param_id);
+  parameter.type = static_cast<ParameterType>(payload.param_type);
+  parameter.value = decode_parameter(payload.param_value, parameter.type, encoding_);
+  parameters_[parameter.name] = parameter;
+  if (fetch_) note_fetched(payload.param_index, payload.param_count, now);
+  if (set_ && set_->name == parameter.name) note_set(parameter);
+  return true;
+}
+
+void ParameterClient::note_fetched(std::size_t index, std::size_t count, SimTime now) {
+  fetch_->heard = now;
+  fetch_->count = count;
+  if (index < count && index != kNoIndex) fetch_->received.insert(index);
+  if (fetch_->received.size() < count) return;
+  const Done done = std::move(fetch_->done);
+  fetch_.reset();
+  if (done) done(true, "");
+}
+
+void ParameterClient::note_set(const Parameter& parameter) {
+  const double tolerance = 1e-6 * std::max(1.0, std::abs(set_->value));
+  const bool is_set = std::abs(parameter.value - set_->value) <= tolerance;
+  // The value from before may have been in the air.
+  if (!is_set && set_->timer.tries() < kTriesToBelieve) return;
+  const Set set = *std::move(set_);
+  set_.reset();
+  if (!set.done) return;
+  set.done(is_set, is_set ? "" : "parameter " + set.name + " stays at " +
+                                     std::to_string(parameter.value));
+}
+
+void ParameterClient::update(SimTime now) {
+  if (fetch_ && (now - fetch_->heard).seconds() >= kSilence_s) {
+    const Done done = std::move(fetch_->done);
+    const std::string got = std::to_string(fetch_->received.size());
+    fetch_.reset();
+    if (done) done(false, "system " + std::to_string(target_.system) + ": " + got +
+                              " parameters came, then it was silent for 10 s");
+  }
+  const bool has_gap = fetch_ && (now - fetch_->heard).seconds() >= kGap_s &&
+                       (now - fetch_->asked).seconds() >= kGap_s;
+  if (has_gap) {
+    fetch_->asked = now;
+    fetch_->count == 0 ? request_list() : request_missing();
+  }
+  if (set_ && set_->timer.waited_s(now) >= kSilence_s) {
+    const Set set = *std::move(set_);
+    set_.reset();
+    if (set.done) set.done(false, "parameter " + set.name + ": system " +
+                                      std::to_string(target_.system) +
+                                      " did not answer for 10 s");
+  } else if (set_ && set_->timer.is_due(now)) {
+    set_->timer.retry(now);
+    send_set();
+  }
+}
+
+}  // namespace trident::bridges::mavlink
