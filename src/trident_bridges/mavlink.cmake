@@ -33,6 +33,7 @@ trident_bridges_room(mavlink
   src/mavlink/packet_writer.cpp
   src/mavlink/parameter_client.cpp
   src/mavlink/parameter_server.cpp
+  src/mavlink/router.cpp
   src/mavlink/sequence_tracker.cpp
   src/mavlink/signing.cpp
   src/mavlink/signing_file.cpp
@@ -59,6 +60,7 @@ trident_bridges_test(mavlink
   test/mavlink/packet_parser_test.cpp
   test/mavlink/packets.cpp
   test/mavlink/parameter_test.cpp
+  test/mavlink/router_test.cpp
   test/mavlink/services_test.cpp
   test/mavlink/signing_test.cpp
 )
