@@ -41,6 +41,7 @@ trident_bridges_room(mavlink
   src/mavlink/status_text.cpp
   src/mavlink/timesync.cpp
   src/mavlink/tlog.cpp
+  src/mavlink/vehicles.cpp
 )
 add_dependencies(trident_bridges_mavlink trident_bridges_mavlink_headers)
 target_include_directories(trident_bridges_mavlink SYSTEM PUBLIC "$<BUILD_INTERFACE:${mavlink_generated}>")
@@ -63,6 +64,7 @@ trident_bridges_test(mavlink
   test/mavlink/router_test.cpp
   test/mavlink/services_test.cpp
   test/mavlink/signing_test.cpp
+  test/mavlink/vehicles_test.cpp
 )
 if(CATKIN_ENABLE_TESTING AND COMMAND trident_add_pytest)
   trident_add_pytest(trident_bridges_mavlink_pymavlink test/mavlink)
