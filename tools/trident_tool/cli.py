@@ -17,6 +17,7 @@ from trident_tool.evaluation import add_evaluation_commands
 from trident_tool.formation import add_formation_commands
 from trident_tool.links import add_links_command
 from trident_tool.lint import CHECKS, run_checks
+from trident_tool.mavlink.command import add_mavlink_command
 from trident_tool.navigation import add_navigation_commands
 from trident_tool.needed_packages import targets_of_launch
 from trident_tool.provision import provision
@@ -54,7 +55,7 @@ COMMANDS = (
     "slam",
     "view",
     "links",
-    "latency",
+    "mavlink",
     "posegraph",
     "worldmap",
     "worldgen",
@@ -191,6 +192,7 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
 
     _add_view(add)
     add_links_command(add)
+    add_mavlink_command(add)
 
     sub = add("shell", _cmd_shell, "a shell in which the workspace is sourced")
     sub.add_argument("-c", dest="command", metavar="COMMAND", help="run this instead")

@@ -20,8 +20,8 @@ std::int32_t whole(double value, const Command& command) {
   const double scale = !has_place(command.command)      ? 1.0
                        : is_global_frame(command.frame) ? 1e7
                                                         : 1e4;
-  return static_cast<std::int32_t>(std::lround(std::clamp(value * scale, -2147483647.0,
-                                                          2147483647.0)));
+  return static_cast<std::int32_t>(
+      std::lround(std::clamp(value * scale, -2147483647.0, 2147483647.0)));
 }
 
 template <class Payload>
@@ -104,8 +104,8 @@ void CommandClient::update(SimTime now) {
                0}});
       continue;
     }
-    const bool may_repeat = !pending.is_in_progress ||
-                            (now - pending.heard).seconds() >= kProgressPoll_s;
+    const bool may_repeat =
+        !pending.is_in_progress || (now - pending.heard).seconds() >= kProgressPoll_s;
     if (may_repeat && pending.timer.is_due(now)) {
       pending.timer.retry(now);
       if (pending.confirmation < 255) ++pending.confirmation;

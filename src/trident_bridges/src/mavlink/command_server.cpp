@@ -15,9 +15,9 @@
 namespace trident::bridges::mavlink {
 namespace {
 
-constexpr double kRemembered_s = 30.0;    // a command that is confirmed again
-constexpr double kSamePacket_s = 2.0;     // less than 256 packets of a slow sender
-constexpr double kRepeatedInt_s = 1.0;    // COMMAND_INT has no confirmation
+constexpr double kRemembered_s = 30.0;  // a command that is confirmed again
+constexpr double kSamePacket_s = 2.0;   // less than 256 packets of a slow sender
+constexpr double kRepeatedInt_s = 1.0;  // COMMAND_INT has no confirmation
 constexpr std::size_t kMaxRecords = 128;
 constexpr std::int32_t kNotGiven = std::numeric_limits<std::int32_t>::max();
 
@@ -49,8 +49,12 @@ Received read_int(const mavlink_command_int_t& payload) {
   received.command.command = payload.command;
   received.command.is_int = true;
   received.command.frame = payload.frame;
-  received.command.params = {payload.param1, payload.param2,           payload.param3,
-                             payload.param4, place(payload.x, payload), place(payload.y, payload),
+  received.command.params = {payload.param1,
+                             payload.param2,
+                             payload.param3,
+                             payload.param4,
+                             place(payload.x, payload),
+                             place(payload.y, payload),
                              payload.z};
   return received;
 }
@@ -74,8 +78,9 @@ bool are_same(const Command& a, const Command& b) {
 }  // namespace
 
 const char* text_of(CommandResult result) {
-  constexpr std::array<const char*, 7> kTexts{"accepted", "temporarily rejected", "denied",
-                                              "unsupported", "failed", "in progress", "cancelled"};
+  constexpr std::array<const char*, 7> kTexts{
+      "accepted", "temporarily rejected", "denied",   "unsupported",
+      "failed",   "in progress",          "cancelled"};
   const auto index = static_cast<std::size_t>(result);
   return index < kTexts.size() ? kTexts[index] : "unknown result";
 }
@@ -114,8 +119,8 @@ CommandServer::Record* CommandServer::find_repeated(const Record& record, SimTim
 }
 
 void CommandServer::execute(Record record, SimTime now) {
-  record.reply = execute_ ? execute_(record.command, now)
-                          : CommandReply{CommandResult::kUnsupported, "", 0};
+  record.reply =
+      execute_ ? execute_(record.command, now) : CommandReply{CommandResult::kUnsupported, "", 0};
   acknowledge(record);
   const bool is_refused = record.reply.result != CommandResult::kAccepted &&
                           record.reply.result != CommandResult::kInProgress;

@@ -21,8 +21,7 @@ const std::vector<std::uint32_t>& messages_of(std::uint8_t stream) {
       {MAV_DATA_STREAM_EXTENDED_STATUS,
        {MAVLINK_MSG_ID_SYS_STATUS, MAVLINK_MSG_ID_GPS_RAW_INT, MAVLINK_MSG_ID_MISSION_CURRENT,
         MAVLINK_MSG_ID_NAV_CONTROLLER_OUTPUT, MAVLINK_MSG_ID_POSITION_TARGET_LOCAL_NED}},
-      {MAV_DATA_STREAM_RC_CHANNELS,
-       {MAVLINK_MSG_ID_RC_CHANNELS, MAVLINK_MSG_ID_SERVO_OUTPUT_RAW}},
+      {MAV_DATA_STREAM_RC_CHANNELS, {MAVLINK_MSG_ID_RC_CHANNELS, MAVLINK_MSG_ID_SERVO_OUTPUT_RAW}},
       {MAV_DATA_STREAM_RAW_CONTROLLER, {MAVLINK_MSG_ID_ATTITUDE_TARGET}},
       {MAV_DATA_STREAM_POSITION,
        {MAVLINK_MSG_ID_GLOBAL_POSITION_INT, MAVLINK_MSG_ID_LOCAL_POSITION_NED}},
@@ -139,8 +138,8 @@ std::optional<CommandReply> MessageStreams::execute(const Command& command, SimT
 
 /// `interval_us`: -1 turns the message off, 0 asks for the default rate.
 CommandReply MessageStreams::set_interval(double id, double interval_us, SimTime now) {
-  const auto it = id >= 0.0 && id < 1e7 ? streams_.find(static_cast<std::uint32_t>(id))
-                                        : streams_.end();
+  const auto it =
+      id >= 0.0 && id < 1e7 ? streams_.find(static_cast<std::uint32_t>(id)) : streams_.end();
   if (it == streams_.end()) {
     return {CommandResult::kDenied, numbered(id) + " is not sent by this vehicle", 0};
   }
@@ -153,8 +152,8 @@ CommandReply MessageStreams::set_interval(double id, double interval_us, SimTime
     set_rate(it->second, 1e6 / interval_us, now);
   } else {
     return {CommandResult::kDenied,
-            numbered(id) + ": interval " + number_text(interval_us) + " us, legal: >= " +
-                number_text(shortest_us) + ", 0 or -1",
+            numbered(id) + ": interval " + number_text(interval_us) +
+                " us, legal: >= " + number_text(shortest_us) + ", 0 or -1",
             0};
   }
   return {};

@@ -11,10 +11,10 @@
 namespace trident::bridges::mavlink {
 namespace {
 
-constexpr double kGap_s = 0.3;            // a list that is silent for so long has gaps
-constexpr std::size_t kMaxRequests = 20;  // for single parameters at a time
+constexpr double kGap_s = 0.3;                // a list that is silent for so long has gaps
+constexpr std::size_t kMaxRequests = 20;      // for single parameters at a time
 constexpr std::uint32_t kTriesToBelieve = 3;  // that a vehicle keeps another value
-constexpr std::uint16_t kNoIndex = 65535; // of a PARAM_VALUE that answers PARAM_SET
+constexpr std::uint16_t kNoIndex = 65535;     // of a PARAM_VALUE that answers PARAM_SET
 
 }  // namespace
 
@@ -101,8 +101,8 @@ void ParameterClient::note_set(const Parameter& parameter) {
   const Set set = *std::move(set_);
   set_.reset();
   if (!set.done) return;
-  set.done(is_set, is_set ? "" : "parameter " + set.name + " stays at " +
-                                     std::to_string(parameter.value));
+  set.done(is_set,
+           is_set ? "" : "parameter " + set.name + " stays at " + std::to_string(parameter.value));
 }
 
 void ParameterClient::update(SimTime now) {
@@ -110,8 +110,9 @@ void ParameterClient::update(SimTime now) {
     const Done done = std::move(fetch_->done);
     const std::string got = std::to_string(fetch_->received.size());
     fetch_.reset();
-    if (done) done(false, "system " + std::to_string(target_.system) + ": " + got +
-                              " parameters came, then it was silent for 10 s");
+    if (done)
+      done(false, "system " + std::to_string(target_.system) + ": " + got +
+                      " parameters came, then it was silent for 10 s");
   }
   const bool has_gap = fetch_ && (now - fetch_->heard).seconds() >= kGap_s &&
                        (now - fetch_->asked).seconds() >= kGap_s;
@@ -122,9 +123,9 @@ void ParameterClient::update(SimTime now) {
   if (set_ && set_->timer.waited_s(now) >= kSilence_s) {
     const Set set = *std::move(set_);
     set_.reset();
-    if (set.done) set.done(false, "parameter " + set.name + ": system " +
-                                      std::to_string(target_.system) +
-                                      " did not answer for 10 s");
+    if (set.done)
+      set.done(false, "parameter " + set.name + ": system " + std::to_string(target_.system) +
+                          " did not answer for 10 s");
   } else if (set_ && set_->timer.is_due(now)) {
     set_->timer.retry(now);
     send_set();

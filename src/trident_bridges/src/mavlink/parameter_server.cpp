@@ -108,8 +108,8 @@ void ParameterServer::set(const std::string& name, double value) {
   const Parameter* known = find(name);
   if (known == nullptr) throw Error("there is no parameter '" + name + "'");
   if (!(value >= known->min && value <= known->max)) {
-    throw Error("parameter " + name + " = " + number_text(value) + ", legal: " +
-                number_text(known->min) + " to " + number_text(known->max));
+    throw Error("parameter " + name + " = " + number_text(value) +
+                ", legal: " + number_text(known->min) + " to " + number_text(known->max));
   }
   const auto index = static_cast<std::size_t>(known - parameters_.data());
   parameters_[index].value = is_whole(known->type) ? std::round(value) : value;
@@ -163,8 +163,8 @@ void ParameterServer::on_set(const std::string& name, float field, std::uint8_t 
   const Parameter* known = find(name);
   if (known == nullptr) return refuse("parameter '" + name + "' is not known");
   // With their own encodings partners may name another type: ArduPilot's ignore it.
-  const ParameterType as = encoding_ == ParameterEncoding::kCast ? known->type
-                                                                 : static_cast<ParameterType>(type);
+  const ParameterType as =
+      encoding_ == ParameterEncoding::kCast ? known->type : static_cast<ParameterType>(type);
   const double value = decode_parameter(field, as, encoding_);
   const auto index = static_cast<std::size_t>(known - parameters_.data());
   try {

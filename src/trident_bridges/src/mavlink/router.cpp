@@ -104,8 +104,8 @@ void Router::forward(const Packet& packet, RouterPeer from) {
     if (is_known) break;
     for (const auto& [address, route] : routes_) {
       if (address.system != target.system) continue;
-      const bool fits = any_component || target.component == 0 ||
-                        address.component == target.component;
+      const bool fits =
+          any_component || target.component == 0 || address.component == target.component;
       if (!fits) continue;
       is_known = true;
       const bool is_listed =

@@ -73,8 +73,8 @@ std::vector<StatusText> StatusTextReader::update(SimTime now) {
       continue;
     }
     const std::uint8_t last = part.chunks.rbegin()->first;
-    texts.push_back({it->first.first, part.severity,
-                     joined(part.chunks, last) + (part.last ? "" : "...")});
+    texts.push_back(
+        {it->first.first, part.severity, joined(part.chunks, last) + (part.last ? "" : "...")});
     it = parts_.erase(it);
   }
   return texts;

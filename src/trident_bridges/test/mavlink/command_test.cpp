@@ -20,7 +20,6 @@ namespace {
 using testing::kGround;
 using testing::kVehicle;
 
-
 /// A vehicle that notes what it executes.
 struct CommandedVehicle {
   CommandedVehicle()
@@ -135,20 +134,20 @@ TEST(CommandServer, CommandsForOthersAreNotItsOwn) {
 struct CommandPair {
   explicit CommandPair(double loss, const std::string& name)
       : link(loss, 0.01, name),
-        server(
-            kVehicle, link.from(0),
-            [this](const Command& command, SimTime) {
-              executed.push_back(command);
-              return reply;
-            },
-            {}),
+        server(kVehicle, link.from(0),
+               [this](const Command& command, SimTime) {
+                 executed.push_back(command);
+                 return reply;
+               },
+               {}),
         client(kGround, link.from(1)) {}
 
   void send(std::uint16_t number) {
     Command command;
     command.command = number;
     command.params[6] = 20.0;
-    client.send(kVehicle, command, link.now(), [this](const CommandOutcome& end) { outcome = end; });
+    client.send(kVehicle, command, link.now(),
+                [this](const CommandOutcome& end) { outcome = end; });
   }
   double run(double limit_s) {
     return link.run(

@@ -41,7 +41,7 @@ Mission waypoints(std::size_t count, std::int32_t first_x = 0) {
 /// A vehicle and a ground station, with a radio between them.
 struct MissionPair {
   explicit MissionPair(double loss = 0.0, const std::string& name = "pair", double repeat = 0.0,
-                double delay_s = 0.01)
+                       double delay_s = 0.01)
       : link(loss, delay_s, name, repeat),
         server(kVehicle, link.from(0),
                {{}, {}, {}, {}, [this](const std::string& reason) { reasons.push_back(reason); }}),

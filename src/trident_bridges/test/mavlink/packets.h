@@ -10,8 +10,8 @@
 
 namespace trident::bridges::mavlink::testing {
 
-inline constexpr Address kVehicle{1, 1};    ///< an autopilot
-inline constexpr Address kGround{255, 190}; ///< a ground station
+inline constexpr Address kVehicle{1, 1};     ///< an autopilot
+inline constexpr Address kGround{255, 190};  ///< a ground station
 
 /// ATTITUDE of vehicle 7.
 Message attitude(float roll);

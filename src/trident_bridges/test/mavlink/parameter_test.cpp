@@ -19,7 +19,6 @@ namespace {
 using testing::kGround;
 using testing::kVehicle;
 
-
 std::vector<Parameter> sixty() {
   std::vector<Parameter> parameters;
   for (int i = 0; i < 58; ++i) {
@@ -76,8 +75,7 @@ TEST_P(Parameters, AllAreReadUnder30PercentLoss) {
   ASSERT_TRUE(pair.succeeded.value_or(false)) << pair.reason;
   ASSERT_EQ(pair.client.parameters().size(), 60U);
   for (const Parameter& parameter : pair.server.parameters()) {
-    EXPECT_EQ(pair.client.parameters().at(parameter.name).value, parameter.value)
-        << parameter.name;
+    EXPECT_EQ(pair.client.parameters().at(parameter.name).value, parameter.value) << parameter.name;
   }
 }
 
@@ -100,8 +98,7 @@ TEST_P(Parameters, AValueOutOfRangeStaysAndBothEndsHearWhy) {
   EXPECT_EQ(pair.reason, "parameter REAL_3 stays at 1.500000");
   EXPECT_EQ(pair.reasons[0], "parameter REAL_3 = 51, legal: 0 to 50");
   EXPECT_TRUE(pair.changed.empty());
-  pair.client.set("REAL_3", std::numeric_limits<double>::quiet_NaN(), pair.link.now(),
-                  pair.done());
+  pair.client.set("REAL_3", std::numeric_limits<double>::quiet_NaN(), pair.link.now(), pair.done());
   pair.run();
   EXPECT_FALSE(pair.succeeded.value_or(true));
   EXPECT_EQ(pair.server.find("REAL_3")->value, 1.5);

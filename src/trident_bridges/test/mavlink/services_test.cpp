@@ -23,17 +23,17 @@ namespace {
 using testing::kGround;
 using testing::kVehicle;
 
-
 SimTime at(double seconds) { return SimTime::from_seconds(seconds); }
 
 /// A vehicle's streams, which count what they send.
 struct Streams {
   Streams()
-      : streams(kVehicle, [this](const Message& m) { sent.push_back(m); }, vehicle_stream_rates(),
-                [this](std::uint32_t id) {
-                  ++emitted[id];
-                  return id != MAVLINK_MSG_ID_DISTANCE_SENSOR;
-                }) {}
+      : streams(
+            kVehicle, [this](const Message& m) { sent.push_back(m); }, vehicle_stream_rates(),
+            [this](std::uint32_t id) {
+              ++emitted[id];
+              return id != MAVLINK_MSG_ID_DISTANCE_SENSOR;
+            }) {}
   /// Counts of what `seconds` of steps of 4 ms send.
   std::map<std::uint32_t, int> run(double seconds) {
     emitted.clear();
@@ -262,8 +262,8 @@ TEST(SmallServices, ThereAreNoLogs) {
 }
 
 TEST(SmallServices, VersionsSayWhatIsSpoken) {
-  const auto version = unpack<mavlink_autopilot_version_t>(
-      autopilot_version_message({true, 1, 14, 3, 9}, kVehicle));
+  const auto version =
+      unpack<mavlink_autopilot_version_t>(autopilot_version_message({true, 1, 14, 3, 9}, kVehicle));
   EXPECT_EQ(version.flight_sw_version, 0x010E03FFU);
   EXPECT_NE(version.capabilities & MAV_PROTOCOL_CAPABILITY_MISSION_INT, 0U);
   EXPECT_EQ(version.capabilities & MAV_PROTOCOL_CAPABILITY_FTP, 0U);

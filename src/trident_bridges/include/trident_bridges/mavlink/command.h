@@ -38,8 +38,8 @@ struct Command {
 /// How a vehicle answers.
 struct CommandReply {
   CommandResult result = CommandResult::kAccepted;  ///< for COMMAND_ACK
-  std::string reason;            ///< of a refusal: rule, value, limit; for STATUSTEXT
-  std::uint8_t progress = 0;     ///< [%] of kInProgress; 255: not known
+  std::string reason;         ///< of a refusal: rule, value, limit; for STATUSTEXT
+  std::uint8_t progress = 0;  ///< [%] of kInProgress; 255: not known
 };
 
 }  // namespace trident::bridges::mavlink

@@ -22,8 +22,8 @@ struct CommandOutcome {
 /// and number one command at a time is in progress.
 class CommandClient {
  public:
-  static constexpr double kSilence_s = 5.0;            ///< after which a command has failed
-  static constexpr double kProgressSilence_s = 30.0;   ///< the same once it is in progress
+  static constexpr double kSilence_s = 5.0;           ///< after which a command has failed
+  static constexpr double kProgressSilence_s = 30.0;  ///< the same once it is in progress
   using Done = std::function<void(const CommandOutcome&)>;
 
   CommandClient(Address self, MessageSink send);

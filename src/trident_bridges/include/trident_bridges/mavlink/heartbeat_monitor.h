@@ -15,11 +15,11 @@ namespace trident::bridges::mavlink {
 
 /// The content of a HEARTBEAT.
 struct Heartbeat {
-  std::uint8_t type = 0;           ///< MAV_TYPE
-  std::uint8_t autopilot = 0;      ///< MAV_AUTOPILOT
-  std::uint8_t base_mode = 0;      ///< MAV_MODE_FLAG; 128: armed
-  std::uint32_t custom_mode = 0;   ///< by the autopilot
-  std::uint8_t system_status = 0;  ///< MAV_STATE
+  std::uint8_t type = 0;                                    ///< MAV_TYPE
+  std::uint8_t autopilot = 0;                               ///< MAV_AUTOPILOT
+  std::uint8_t base_mode = 0;                               ///< MAV_MODE_FLAG; 128: armed
+  std::uint32_t custom_mode = 0;                            ///< by the autopilot
+  std::uint8_t system_status = 0;                           ///< MAV_STATE
   bool is_ground_station() const { return type == 6; }      ///< MAV_TYPE_GCS
   bool is_armed() const { return (base_mode & 128) != 0; }  ///< MAV_MODE_FLAG_SAFETY_ARMED
 };
@@ -31,8 +31,8 @@ std::optional<Heartbeat> read_heartbeat(const Message& message);
 /// knows the wall's alone beats by that, so what counts is the smaller of both ages: a simulation
 /// that is fast or pauses loses nobody.
 struct BothTimes {
-  SimTime simulated;                 ///< of the world
-  std::optional<SimTime> wall;       ///< monotonic; not given: simulated time alone counts
+  SimTime simulated;            ///< of the world
+  std::optional<SimTime> wall;  ///< monotonic; not given: simulated time alone counts
 };
 
 /// Who is there, by HEARTBEAT.

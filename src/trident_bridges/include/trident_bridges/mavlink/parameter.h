@@ -27,10 +27,10 @@ enum class ParameterEncoding : std::uint8_t { kBytewise, kCast };
 
 /// A parameter of a vehicle.
 struct Parameter {
-  std::string name;                            ///< up to kMaxParameterName characters
-  ParameterType type = ParameterType::kReal32; ///< of the value
-  double value = 0.0;                          ///< whole where the type is
-  double min = 0.0, max = 0.0;                 ///< legal values
+  std::string name;                             ///< up to kMaxParameterName characters
+  ParameterType type = ParameterType::kReal32;  ///< of the value
+  double value = 0.0;                           ///< whole where the type is
+  double min = 0.0, max = 0.0;                  ///< legal values
 };
 
 /// The value as the field param_value holds it.

@@ -41,7 +41,7 @@ class ParameterClient {
 
  private:
   struct Fetch {
-    std::size_t count = 0;                 // 0: not known yet
+    std::size_t count = 0;           // 0: not known yet
     std::set<std::size_t> received;  // indices
     SimTime asked, heard;
     Done done;

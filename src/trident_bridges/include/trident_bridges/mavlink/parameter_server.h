@@ -53,7 +53,7 @@ class ParameterServer {
   ParameterEncoding encoding_;
   std::vector<Parameter> parameters_;
   ParameterServerEvents events_;
-  std::size_t next_;      // of the list that is being sent; at the end: none
+  std::size_t next_;  // of the list that is being sent; at the end: none
   SimTime next_due_;
 };
 

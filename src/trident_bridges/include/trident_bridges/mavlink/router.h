@@ -64,9 +64,9 @@ class Router {
   void update(SimTime now);
 
   const std::map<Address, Route>& routes() const { return routes_; }  ///< of all ids known now
-  const RouterCounts* counts(RouterPeer peer) const;        ///< nullptr: no such peer
-  const SequenceTracker* sequences(RouterPeer peer) const;  ///< losses on the path from that peer
-  const ParserCounts* parser_counts(RouterPeer peer) const; ///< bad packets from that peer
+  const RouterCounts* counts(RouterPeer peer) const;                  ///< nullptr: no such peer
+  const SequenceTracker* sequences(RouterPeer peer) const;   ///< losses on the path from that peer
+  const ParserCounts* parser_counts(RouterPeer peer) const;  ///< bad packets from that peer
 
  private:
   struct Peer {

@@ -21,11 +21,11 @@ std::optional<Message> log_list_answer(const Message& message, Address self);
 
 /// What AUTOPILOT_VERSION says.
 struct VehicleVersion {
-  bool is_px4 = true;               ///< whole numbers of parameters as PX4 encodes them
-  std::uint8_t major = 0;           ///< of the firmware that is imitated
-  std::uint8_t minor = 0;           ///< see major
-  std::uint8_t patch = 0;           ///< see major
-  std::uint64_t uid = 0;            ///< of the vehicle
+  bool is_px4 = true;      ///< whole numbers of parameters as PX4 encodes them
+  std::uint8_t major = 0;  ///< of the firmware that is imitated
+  std::uint8_t minor = 0;  ///< see major
+  std::uint8_t patch = 0;  ///< see major
+  std::uint64_t uid = 0;   ///< of the vehicle
 };
 
 /// AUTOPILOT_VERSION. Its capabilities are what this package speaks.

@@ -28,9 +28,9 @@ enum class Severity : std::uint8_t {
 
 /// A text of a vehicle.
 struct StatusText {
-  Address source;                         ///< who says it
-  Severity severity = Severity::kInfo;    ///< how bad it is
-  std::string text;                       ///< whole
+  Address source;                       ///< who says it
+  Severity severity = Severity::kInfo;  ///< how bad it is
+  std::string text;                     ///< whole
 };
 
 /// Makes STATUSTEXT of texts: one of up to 50 bytes, or several that belong together.

@@ -35,19 +35,19 @@ inline constexpr Range kLegalPorts{1024.0, 65535.0};
 /// One vehicle of config/bridges/vehicles.yaml. With i, its place in the list from 0: what is not
 /// given follows from i as PX4 and ArduPilot number their simulated vehicles.
 struct VehicleEntry {
-  std::string vehicle;                      ///< name of the model in the world
-  std::optional<std::string> ros_namespace; ///< of its topics; its name
-  VehicleKind kind = VehicleKind::kQuadrotor;                 ///< what moves it
-  AutopilotFlavour autopilot = AutopilotFlavour::kPx4;        ///< its modes and parameters
-  std::optional<std::uint8_t> system_id;                      ///< 1 + i
-  std::optional<std::uint16_t> offboard_port;                 ///< UDP, local: 14580 + i
-  std::optional<std::uint16_t> offboard_remote_port;          ///< UDP, where it sends: 14540 + i
-  std::optional<std::uint16_t> gcs_port;                      ///< UDP, local: 18570 + i
-  std::optional<std::uint16_t> tcp_port;                      ///< TCP server: 5760 + 10 i
-  std::optional<std::uint16_t> px4_simulator_port;            ///< TCP server: 4560 + i
-  std::optional<std::uint16_t> ardupilot_json_port;           ///< UDP, local: 9002 + 10 i
-  bool accept_mavlink1 = false;                               ///< understand MAVLink 1, too
-  std::optional<std::string> signing_key_file;                ///< sign and ask for signatures
+  std::string vehicle;                                  ///< name of the model in the world
+  std::optional<std::string> ros_namespace;             ///< of its topics; its name
+  VehicleKind kind = VehicleKind::kQuadrotor;           ///< what moves it
+  AutopilotFlavour autopilot = AutopilotFlavour::kPx4;  ///< its modes and parameters
+  std::optional<std::uint8_t> system_id;                ///< 1 + i
+  std::optional<std::uint16_t> offboard_port;           ///< UDP, local: 14580 + i
+  std::optional<std::uint16_t> offboard_remote_port;    ///< UDP, where it sends: 14540 + i
+  std::optional<std::uint16_t> gcs_port;                ///< UDP, local: 18570 + i
+  std::optional<std::uint16_t> tcp_port;                ///< TCP server: 5760 + 10 i
+  std::optional<std::uint16_t> px4_simulator_port;      ///< TCP server: 4560 + i
+  std::optional<std::uint16_t> ardupilot_json_port;     ///< UDP, local: 9002 + 10 i
+  bool accept_mavlink1 = false;                         ///< understand MAVLink 1, too
+  std::optional<std::string> signing_key_file;          ///< sign and ask for signatures
 
   /// Lists the fields: see yaml_config.h.
   template <class Archive>
@@ -74,9 +74,9 @@ struct VehicleEntry {
 
 /// config/bridges/vehicles.yaml: which vehicles speak MAVLink, and where.
 struct VehiclesFile {
-  std::vector<VehicleEntry> vehicles;       ///< in the order that numbers them
-  std::uint16_t gcs_remote_port = 14550;    ///< UDP, where all vehicles look for a ground station
-  std::uint16_t router_port = 14445;        ///< TCP server that carries all vehicles
+  std::vector<VehicleEntry> vehicles;     ///< in the order that numbers them
+  std::uint16_t gcs_remote_port = 14550;  ///< UDP, where all vehicles look for a ground station
+  std::uint16_t router_port = 14445;      ///< TCP server that carries all vehicles
 
   /// Lists the fields: see yaml_config.h.
   template <class Archive>
@@ -92,19 +92,19 @@ struct VehiclesFile {
 
 /// A vehicle with all that follows from its place.
 struct VehicleLinks {
-  std::string vehicle;              ///< see VehicleEntry
-  std::string ros_namespace;        ///< see VehicleEntry
-  VehicleKind kind;                 ///< see VehicleEntry
-  AutopilotFlavour autopilot;       ///< see VehicleEntry
-  std::uint8_t system_id;           ///< see VehicleEntry
+  std::string vehicle;                 ///< see VehicleEntry
+  std::string ros_namespace;           ///< see VehicleEntry
+  VehicleKind kind;                    ///< see VehicleEntry
+  AutopilotFlavour autopilot;          ///< see VehicleEntry
+  std::uint8_t system_id;              ///< see VehicleEntry
   std::uint16_t offboard_port;         ///< see VehicleEntry
   std::uint16_t offboard_remote_port;  ///< see VehicleEntry
   std::uint16_t gcs_port;              ///< see VehicleEntry
   std::uint16_t tcp_port;              ///< see VehicleEntry
   std::uint16_t px4_simulator_port;    ///< see VehicleEntry
   std::uint16_t ardupilot_json_port;   ///< see VehicleEntry
-  bool accept_mavlink1;             ///< see VehicleEntry
-  std::string signing_key_file;     ///< empty: nothing is signed
+  bool accept_mavlink1;                ///< see VehicleEntry
+  std::string signing_key_file;        ///< empty: nothing is signed
 };
 
 /// All vehicles of a file. Throws Error when a number does not fit any more: too many vehicles.
