@@ -34,6 +34,7 @@ catkin_add_gtest(trident_base_test
   test/string_util_test.cpp
   test/vehicle/thruster_curve_test.cpp
   test/vehicle/wheel_encoder_test.cpp
+  test/utc_clock_test.cpp
   test/worker_pool_test.cpp
   test/config/yaml_config_test.cpp
   test/config/yaml_tree_test.cpp
