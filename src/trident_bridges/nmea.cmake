@@ -1,4 +1,17 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-
-# Sources are added by their room.
+# The room `nmea`: NMEA 0183 without ROS, sockets or clocks.
+trident_bridges_room(nmea
+  src/nmea/all_sentences.cpp
+  src/nmea/field_reader.cpp
+  src/nmea/field_values.cpp
+  src/nmea/field_writer.cpp
+  src/nmea/refusal.cpp
+  src/nmea/sentence.cpp
+  src/nmea/sentence_checks.cpp
+  src/nmea/sentence_framer.cpp
+)
+trident_bridges_test(nmea
+  test/nmea/sentence_framer_test.cpp
+  test/nmea/sentences_test.cpp
+)

@@ -65,7 +65,7 @@ int month_days(int year, int month) {
               "' is no instant of UTC, legal: like 2026-01-01T00:00:00Z");
 }
 
-/// Two or four digits at `at`; throws by refuse_text() when they are none.
+/// Two or four digits at `at`; throws by refuse_text() when a character is no digit.
 int digits_at(const std::string& text, std::size_t at, std::size_t count) {
   int value = 0;
   for (std::size_t i = at; i < at + count; ++i) {

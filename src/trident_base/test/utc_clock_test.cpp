@@ -67,7 +67,7 @@ TEST(UtcClock, SimulatedTimeIsFoundAgainFromUtc) {
   }
 }
 
-TEST(UtcClock, DaysOfTheCalendarAreCountedBothWays) {
+TEST(UtcClock, DaysAreCountedInBothDirections) {
   for (std::int64_t day = -150'000; day < 150'000; day += 17) {
     const CivilDate date = civil_from_days(day);
     EXPECT_TRUE(is_valid(date));
