@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # The room `nmea`: NMEA 0183 without ROS, sockets or clocks.
 trident_bridges_room(nmea
+  src/nmea/ais_six_bit.cpp
+  src/nmea/ais_target_table.cpp
   src/nmea/all_sentences.cpp
   src/nmea/field_reader.cpp
   src/nmea/field_values.cpp
@@ -12,6 +14,7 @@ trident_bridges_room(nmea
   src/nmea/sentence_framer.cpp
 )
 trident_bridges_test(nmea
+  test/nmea/ais_test.cpp
   test/nmea/sentence_framer_test.cpp
   test/nmea/sentences_test.cpp
 )

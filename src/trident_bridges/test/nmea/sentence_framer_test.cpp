@@ -14,7 +14,7 @@ namespace {
 using Texts = std::vector<std::string>;
 
 const std::string kHeading = "$HEHDT,123.4,T";
-const std::string kAis = "!AIVDM,1,1,,A,13HOI:0P0000VOHLCnHQKwvL05Ip,0";
+const std::string kAis = "!AIVDM,1,1,,A,1P0001?P00000000000000000000,0";
 
 TEST(SentenceFramer, FindsASentenceWithAndWithoutALineEnd) {
   EXPECT_EQ(framed(with_checksum(kHeading)).sentences, Texts{kHeading});

@@ -71,18 +71,18 @@ TEST(Sentences, AFixIsWrittenWithFiveDecimalsOfAMinute) {
 
 TEST(Sentences, AFixIsRead) {
   const auto gga =
-      read<Gga>("$GNGGA,001043.00,4404.14036,S,12118.85961,W,1,12,0.98,1113.0,M,-21.3,M,1.5,0031");
+      read<Gga>("$GNGGA,071502.50,3305.12345,S,07140.54321,W,1,11,0.91,12.5,M,-20.75,M,2.5,0007");
   ASSERT_TRUE(gga);
-  EXPECT_EQ(*gga->time, (TimeOfDay{0, 10, 43.0}));
-  EXPECT_EQ(*gga->latitude_deg, -(44 + 4.14036 / 60.0));
-  EXPECT_EQ(*gga->longitude_deg, -(121 + 18.85961 / 60.0));
+  EXPECT_EQ(*gga->time, (TimeOfDay{7, 15, 2.5}));
+  EXPECT_EQ(*gga->latitude_deg, -(33 + 5.12345 / 60.0));
+  EXPECT_EQ(*gga->longitude_deg, -(71 + 40.54321 / 60.0));
   EXPECT_EQ(*gga->quality, 1);
-  EXPECT_EQ(*gga->satellites, 12);
-  EXPECT_EQ(*gga->hdop, 0.98);
-  EXPECT_EQ(*gga->altitude_m, 1113.0);
-  EXPECT_EQ(*gga->geoid_separation_m, -21.3);
-  EXPECT_EQ(*gga->correction_age_s, 1.5);
-  EXPECT_EQ(gga->station, "0031");
+  EXPECT_EQ(*gga->satellites, 11);
+  EXPECT_EQ(*gga->hdop, 0.91);
+  EXPECT_EQ(*gga->altitude_m, 12.5);
+  EXPECT_EQ(*gga->geoid_separation_m, -20.75);
+  EXPECT_EQ(*gga->correction_age_s, 2.5);
+  EXPECT_EQ(gga->station, "0007");
 }
 
 TEST(Sentences, SixtyMinutesAreTheNextDegree) {
@@ -138,50 +138,50 @@ TEST(Sentences, AnyTwoLettersAreATalker) {
 
 TEST(Sentences, ARecommendedMinimumHasADate) {
   const auto rmc =
-      read<Rmc>("$GPRMC,092751.000,A,5321.6802,N,00630.3371,W,0.06,31.66,280511,3.5,W,A,S");
+      read<Rmc>("$GPRMC,071502.500,A,3305.1234,S,07140.5432,W,1.25,271.5,280226,3.5,W,A,S");
   ASSERT_TRUE(rmc);
-  EXPECT_EQ(*rmc->date, (CivilDate{2011, 5, 28}));
+  EXPECT_EQ(*rmc->date, (CivilDate{2026, 2, 28}));
   EXPECT_EQ(*rmc->variation_deg, -3.5);
   EXPECT_EQ(rmc->mode, 'A');
   EXPECT_EQ(rmc->navigation, 'S');
-  EXPECT_EQ(problem_of<Rmc>("$GPRMC,092751.000,A,5321.6802,N,00630.3371,W,0.06,31.66,,,,A"),
+  EXPECT_EQ(problem_of<Rmc>("$GPRMC,071502.500,A,3305.1234,S,07140.5432,W,1.25,271.5,,,,A"),
             "missing field: date is '', legal: ddmmyy, where there is a fix");
-  EXPECT_EQ(problem_of<Rmc>("$GPRMC,092751.000,A,5321.6802,N,00630.3371,W,0.06,31.66,310211,,,A"),
-            "out of range: date is '310211', legal: ddmmyy, a day of the calendar");
+  EXPECT_EQ(problem_of<Rmc>("$GPRMC,071502.500,A,3305.1234,S,07140.5432,W,1.25,271.5,310226,,,A"),
+            "out of range: date is '310226', legal: ddmmyy, a day of the calendar");
   EXPECT_EQ(problem_of<Rmc>("$GPRMC,,V,,,,,,,,,,N"), "no problem");
 }
 
 TEST(Sentences, OlderRevisionsEndEarlier) {
-  EXPECT_TRUE(read<Rmc>("$GPRMC,225446,A,4916.45,N,12311.12,W,000.5,054.7,191194,020.3,E"));
-  EXPECT_TRUE(read<Gll>("$GPGLL,4916.45,N,12311.12,W,225444,A"));
+  EXPECT_TRUE(read<Rmc>("$GPRMC,071502,A,3305.12,S,07140.54,W,001.2,271.5,280226,003.5,E"));
+  EXPECT_TRUE(read<Gll>("$GPGLL,3305.12,S,07140.54,W,071502,A"));
   EXPECT_TRUE(read<Dpt>("$SDDPT,2.5,0.3"));
   EXPECT_TRUE(read<Vlw>("$VWVLW,12.4,N,1.5,N"));
 }
 
 TEST(Sentences, AFixWithoutTimeOrPlaceIsRefused) {
-  EXPECT_EQ(problem_of<Gga>("$GPGGA,,4404.14036,N,12118.85961,W,1,12,0.98,1113.0,M,-21.3,M,,"),
+  EXPECT_EQ(problem_of<Gga>("$GPGGA,,3305.12345,S,07140.54321,W,1,11,0.91,12.5,M,-20.75,M,,"),
             "missing field: UTC is '', legal: hhmmss.ss, where there is a fix");
-  EXPECT_EQ(problem_of<Gga>("$GPGGA,001043.00,4404.14036,N,,,1,12,0.98,1113.0,M,-21.3,M,,"),
+  EXPECT_EQ(problem_of<Gga>("$GPGGA,071502.50,3305.12345,S,,,1,11,0.91,12.5,M,-20.75,M,,"),
             "missing field: longitude is '', legal: a position, where there is a fix");
-  EXPECT_EQ(problem_of<Gll>("$GPGLL,4916.45,N,12311.12,W,,A,A"),
+  EXPECT_EQ(problem_of<Gll>("$GPGLL,3305.12,S,07140.54,W,,A,A"),
             "missing field: UTC is '', legal: hhmmss.ss, where there is a fix");
   EXPECT_TRUE(read<Gga>("$GPGGA,,,,,,0,00,99.99,,,,,,"));
 }
 
 TEST(Sentences, IllegalFieldsAreNamedWithTheirRange) {
-  const std::string end = ",1,12,0.98,1113.0,M,-21.3,M,,";
-  EXPECT_EQ(problem_of<Gga>("$GPGGA,001043.00,9100.00000,N,12118.85961,W" + end),
+  const std::string end = ",1,11,0.91,12.5,M,-20.75,M,,";
+  EXPECT_EQ(problem_of<Gga>("$GPGGA,071502.50,9100.00000,N,07140.54321,W" + end),
             "out of range: latitude is '9100.00000', legal: [-90, 90]");
-  EXPECT_EQ(problem_of<Gga>("$GPGGA,001043.00,4460.00000,N,12118.85961,W" + end),
-            "out of range: latitude is '4460.00000', legal: [-90, 90]");
-  EXPECT_EQ(problem_of<Gga>("$GPGGA,001043.00,4404.14036,Q,12118.85961,W" + end),
+  EXPECT_EQ(problem_of<Gga>("$GPGGA,071502.50,3360.00000,N,07140.54321,W" + end),
+            "out of range: latitude is '3360.00000', legal: [-90, 90]");
+  EXPECT_EQ(problem_of<Gga>("$GPGGA,071502.50,3305.12345,Q,07140.54321,W" + end),
             "out of range: latitude is 'Q', legal: N or S");
-  EXPECT_EQ(problem_of<Gga>("$GPGGA,001043.00,nan,N,12118.85961,W" + end),
+  EXPECT_EQ(problem_of<Gga>("$GPGGA,071502.50,nan,N,07140.54321,W" + end),
             "not a number: latitude is 'nan', legal: ddmm.mmmm");
-  EXPECT_EQ(problem_of<Gga>("$GPGGA,246000.00,4404.14036,N,12118.85961,W" + end),
+  EXPECT_EQ(problem_of<Gga>("$GPGGA,246000.00,3305.12345,N,07140.54321,W" + end),
             "out of range: UTC is '246000.00', legal: hhmmss or hhmmss.ss, up to 235960");
-  EXPECT_EQ(problem_of<Gga>("$GPGGA,0010-1.00,4404.14036,N,12118.85961,W" + end),
-            "not a number: UTC is '0010-1.00', legal: hhmmss or hhmmss.ss, up to 235960");
+  EXPECT_EQ(problem_of<Gga>("$GPGGA,0715-2.50,3305.12345,N,07140.54321,W" + end),
+            "not a number: UTC is '0715-2.50', legal: hhmmss or hhmmss.ss, up to 235960");
   EXPECT_EQ(problem_of<Hdt>("$HEHDT,nan,T"),
             "not a number: heading is 'nan', legal: a number such as -12.5");
   EXPECT_EQ(problem_of<Hdt>("$HEHDT,1e2,T"),
@@ -193,9 +193,9 @@ TEST(Sentences, IllegalFieldsAreNamedWithTheirRange) {
 }
 
 TEST(Sentences, AWrongNumberOfFieldsIsNamed) {
-  EXPECT_EQ(problem_of<Gga>("$GPGGA,001043.00"),
+  EXPECT_EQ(problem_of<Gga>("$GPGGA,071502.50"),
             "wrong number of fields: number of fields is 1, legal: [14, 14]");
-  EXPECT_EQ(problem_of<Rmc>("$GPRMC,092751.0,V,,,,,,,,"),
+  EXPECT_EQ(problem_of<Rmc>("$GPRMC,071502.5,V,,,,,,,,"),
             "wrong number of fields: number of fields is 10, legal: [11, 13]");
   EXPECT_EQ(problem_of<Hdt>("$HEHDT,12,T,1"),
             "wrong number of fields: number of fields is 3, legal: [2, 2]");
@@ -227,11 +227,11 @@ TEST(Sentences, SidesAreSigns) {
 }
 
 TEST(Sentences, ARouteIsReadAndWritten) {
-  const auto rte = read<Rte>("$GPRTE,2,1,c,0,PBRCPK,PBRTO,PTELGR,PPLAND");
+  const auto rte = read<Rte>("$GPRTE,2,1,c,0,PIER,BUOY1,BUOY2,HOME");
   ASSERT_TRUE(rte);
   EXPECT_EQ(rte->waypoints.size(), 4U);
-  EXPECT_EQ(rte->waypoints[3].name, "PPLAND");
-  EXPECT_EQ(sent(*rte), with_checksum("$GPRTE,2,1,c,0,PBRCPK,PBRTO,PTELGR,PPLAND"));
+  EXPECT_EQ(rte->waypoints[3].name, "HOME");
+  EXPECT_EQ(sent(*rte), with_checksum("$GPRTE,2,1,c,0,PIER,BUOY1,BUOY2,HOME"));
   EXPECT_EQ(problem_of<Rte>("$GPRTE,2,3,c,0"), "out of range: sentence is 3, legal: [1, 2]");
 }
 
