@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from trident_tool.building import build, is_built, make_configured
+from trident_tool.clients import add_setup_command, provide_clients
 from trident_tool.evaluation import add_evaluation_commands
 from trident_tool.formation import add_formation_commands
 from trident_tool.links import add_links_command
@@ -73,11 +74,6 @@ class _Parser(argparse.ArgumentParser):
         self.exit(2, f"{self.prog}: {message} (see ./trident help)\n")
 
 
-def _cmd_setup(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    del workspace, runner, options  # main() has done it
-    return 0
-
-
 def _cmd_build(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     if not build(workspace, runner, options.targets, options.jobs):
         say("the build is up to date")
@@ -87,6 +83,7 @@ def _cmd_build(workspace: Workspace, runner: Runner, options: argparse.Namespace
 def _cmd_test(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     if options.sanitize:
         return run_sanitized(workspace, runner, options.sanitize)
+    provide_clients(workspace, runner)
     return run_tests(workspace, runner, options.pattern, options.jobs, options.rest)
 
 
@@ -154,7 +151,7 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def _add_workspace_commands(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
-    add("setup", _cmd_setup, "install the Debian and Python packages that are missing")
+    add_setup_command(add)
 
     sub = add("build", _cmd_build, "configure and build the workspace")
     sub.add_argument(

@@ -46,6 +46,11 @@ class Workspace:
         return self.venv / "bin" / "python"
 
     @property
+    def clients_venv(self) -> Path:
+        """The Python environment with programs of others that the bridges are tested with."""
+        return self.root / ".venv-clients"
+
+    @property
     def out(self) -> Path:
         """Where runs leave their results."""
         return self.root / "out"
