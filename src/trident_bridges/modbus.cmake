@@ -1,4 +1,16 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
 
-# Sources are added by their room.
+trident_bridges_room(modbus
+  src/modbus/device_identity.cpp
+  src/modbus/mbap.cpp
+  src/modbus/pdu.cpp
+  src/modbus/response.cpp
+  src/modbus/rtu.cpp
+)
+trident_bridges_test(modbus
+  test/modbus/mbap_test.cpp
+  test/modbus/pdu_test.cpp
+  test/modbus/response_test.cpp
+  test/modbus/rtu_test.cpp
+)
