@@ -3,14 +3,19 @@
 
 trident_bridges_room(modbus
   src/modbus/device_identity.cpp
+  src/modbus/map_checks.cpp
   src/modbus/mbap.cpp
   src/modbus/pdu.cpp
+  src/modbus/register_map.cpp
   src/modbus/response.cpp
   src/modbus/rtu.cpp
+  src/modbus/value.cpp
 )
 trident_bridges_test(modbus
   test/modbus/mbap_test.cpp
   test/modbus/pdu_test.cpp
+  test/modbus/register_map_test.cpp
   test/modbus/response_test.cpp
   test/modbus/rtu_test.cpp
+  test/modbus/value_test.cpp
 )

@@ -13,7 +13,6 @@ constexpr std::size_t kMaskRequestBytes = 7;   // function, address, two masks
 constexpr std::size_t kDeviceIdBytes = 4;      // function, type, code, object
 constexpr std::size_t kMultipleHeader = 6;     // function, address, quantity, byte count
 constexpr std::size_t kReadWriteHeader = 10;   // function, two addresses and quantities, byte count
-constexpr std::uint32_t kAddresses = 0x10000;  // of each table
 
 void refuse(DecodedRequest& decoded, ExceptionCode code, std::string problem) {
   decoded.is_legal = false;
@@ -35,8 +34,8 @@ bool has_quantity(DecodedRequest& decoded, int quantity, int most) {
   return false;
 }
 
-bool has_addresses(DecodedRequest& decoded, std::uint32_t address, std::uint32_t count) {
-  if (address + count <= kAddresses) return true;
+bool has_addresses(DecodedRequest& decoded, int address, int count) {
+  if (address + count <= kTableAddresses) return true;
   refuse(decoded, ExceptionCode::kIllegalAddress,
          "addresses " + std::to_string(address) + " to " + std::to_string(address + count - 1) +
              ", legal: up to 65535");

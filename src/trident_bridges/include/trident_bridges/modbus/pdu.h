@@ -45,6 +45,7 @@ enum class ExceptionCode : std::uint8_t {
 };
 
 inline constexpr std::size_t kMaxPduBytes = 253;      ///< section 4.1
+inline constexpr int kTableAddresses = 0x10000;       ///< of each table
 inline constexpr std::uint8_t kExceptionFlag = 0x80;  ///< on the function of an exception response
 inline constexpr int kMaxReadBits = 2000;             ///< of functions 1 and 2
 inline constexpr int kMaxReadRegisters = 125;         ///< of functions 3, 4 and 23

@@ -62,7 +62,7 @@ class RtuFrameReader {
 
   /// Adds bytes that were read at `now_s`. Frames that next() returned are not valid any more.
   void feed(Bytes block, double now_s);
-  /// The next frame, valid until the next feed(); empty: there is none at `now_s`.
+  /// The next frame, valid until the next feed(); empty: no frame is complete at `now_s`.
   std::optional<RtuFrame> next(double now_s);
   /// When a call of next() may have news though no byte comes; empty: not without a byte.
   std::optional<double> deadline_s() const;

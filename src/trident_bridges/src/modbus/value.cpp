@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_bridges/modbus/value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "trident_base/error.h"
+#include "trident_base/string_util.h"
+
+namespace trident::bridges::modbus {
+namespace {
+
+constexpr int kBitsPerRegister = 16;
+constexpr int kMaxCharacters = 246;  // of 123 registers, which one request can write
+
+const std::array<std::pair<const char*, ValueKind>, 9> kPlainTypes{{
+    {"bool", ValueKind::kBool},
+    {"int16", ValueKind::kInt16},
+    {"uint16", ValueKind::kUint16},
+    {"int32", ValueKind::kInt32},
+    {"uint32", ValueKind::kUint32},
+    {"int64", ValueKind::kInt64},
+    {"uint64", ValueKind::kUint64},
+    {"float32", ValueKind::kFloat32},
+    {"float64", ValueKind::kFloat64},
+}};
+
+/// What stands in the brackets of "name(…)"; false: the text is not of that form.
+bool take_argument(const std::string& text, const std::string& name, std::string& argument) {
+  if (!starts_with(text, name + "(") || text.back() != ')') return false;
+  argument = text.substr(name.size() + 1, text.size() - name.size() - 2);
+  return true;
+}
+
+ValueType string_type(const std::string& argument) {
+  const auto characters = number_from_text(argument);
+  if (!characters || *characters != std::floor(*characters) || *characters < 1 ||
+      *characters > kMaxCharacters) {
+    throw Error("type 'string(" + argument + ")', legal: string(1) to string(246) characters");
+  }
+  return {ValueKind::kString, static_cast<int>(*characters)};
+}
+
+ValueType bits_type(std::string argument) {
+  std::replace(argument.begin(), argument.end(), ',', ' ');
+  ValueType type{ValueKind::kBits};
+  std::string name;
+  for (const char c : argument + ' ') {
+    if (c != ' ') {
+      name += c;
+    } else if (!name.empty()) {
+      type.bits.push_back(std::exchange(name, ""));
+    }
+  }
+  if (type.bits.empty() || type.bits.size() > kBitsPerRegister) {
+    throw Error("type bits with " + std::to_string(type.bits.size()) + " names, legal: 1 to 16");
+  }
+  return type;
+}
+
+/// Whether the most significant bit is a sign.
+bool is_signed(ValueKind kind) {
+  return kind == ValueKind::kInt16 || kind == ValueKind::kInt32 || kind == ValueKind::kInt64;
+}
+
+std::uint64_t read_words(const RegisterLayout& layout, Bytes wire, int words) {
+  std::uint64_t bits = 0;
+  for (int i = 0; i < words; ++i) {
+    const int at = 2 * (layout.words == Order::kBig ? i : words - 1 - i);
+    const unsigned first = wire[at], second = wire[at + 1];
+    bits = (bits << 16) | (layout.bytes == Order::kBig ? (first << 8) | second : (second << 8) | first);
+  }
+  return bits;
+}
+
+void write_words(const RegisterLayout& layout, std::uint64_t bits, int words,
+                 Span<std::uint8_t> wire) {
+  for (int i = words - 1; i >= 0; --i, bits >>= 16) {
+    const int at = 2 * (layout.words == Order::kBig ? i : words - 1 - i);
+    const auto high = static_cast<std::uint8_t>(bits >> 8), low = static_cast<std::uint8_t>(bits);
+    wire[at] = layout.bytes == Order::kBig ? high : low;
+    wire[at + 1] = layout.bytes == Order::kBig ? low : high;
+  }
+}
+
+Number number_of_bits(ValueKind kind, std::uint64_t bits) {
+  switch (kind) {
+    case ValueKind::kBool:
+      return std::uint64_t{bits != 0};
+    case ValueKind::kInt16:
+      return std::int64_t{static_cast<std::int16_t>(bits)};
+    case ValueKind::kInt32:
+      return std::int64_t{static_cast<std::int32_t>(bits)};
+    case ValueKind::kInt64:
+      return static_cast<std::int64_t>(bits);
+    case ValueKind::kFloat32: {
+      const auto half = static_cast<std::uint32_t>(bits);
+      float real = 0.0F;
+      std::memcpy(&real, &half, sizeof(real));
+      return double{real};
+    }
+    case ValueKind::kFloat64: {
+      double real = 0.0;
+      std::memcpy(&real, &bits, sizeof(real));
+      return real;
+    }
+    default:
+      return bits;
+  }
+}
+
+/// The integer nearest to a number, as the bits of a type of that many bits.
+Fit integer_bits(const Number& number, ValueKind kind, std::uint64_t& bits) {
+  const auto [lowest, highest] = raw_limits(kind);
+  if (const double* const real = std::get_if<double>(&number)) {
+    if (std::isnan(*real)) return Fit::kNotFinite;
+    const double rounded = std::round(*real);
+    const bool fits = rounded >= lowest && rounded <= highest;
+    // 2^63 and 2^64 are doubles, the limits below them are not: the comparison must not let them in.
+    if (fits && is_signed(kind) && rounded < 0x1p63) {
+      bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded));
+      return Fit::kExact;
+    }
+    if (fits && !is_signed(kind) && rounded < 0x1p64) {
+      bits = static_cast<std::uint64_t>(rounded);
+      return Fit::kExact;
+    }
+    const int width = kBitsPerRegister * ValueType{kind}.registers();
+    const std::uint64_t all = ~std::uint64_t{0} >> (64 - width);
+    const std::uint64_t low = is_signed(kind) ? ~(all >> 1) : 0;
+    bits = rounded < lowest ? low : (is_signed(kind) ? all >> 1 : all);
+    return Fit::kClamped;
+  }
+  if (const auto* const whole = std::get_if<std::int64_t>(&number)) {
+    bits = static_cast<std::uint64_t>(*whole);
+    if (kind == ValueKind::kInt64 || (kind == ValueKind::kUint64 && *whole >= 0)) return Fit::kExact;
+    return integer_bits(Number{static_cast<double>(*whole)}, kind, bits);
+  }
+  bits = std::get<std::uint64_t>(number);
+  if (kind == ValueKind::kUint64) return Fit::kExact;
+  constexpr auto kMaxInt64 = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (kind == ValueKind::kInt64 && bits <= kMaxInt64) return Fit::kExact;
+  return integer_bits(Number{static_cast<double>(bits)}, kind, bits);
+}
+
+Fit real_bits(double real, ValueKind kind, std::uint64_t& bits) {
+  if (kind == ValueKind::kFloat64) {
+    std::memcpy(&bits, &real, sizeof(bits));
+    return Fit::kExact;
+  }
+  constexpr double kMaxFloat = std::numeric_limits<float>::max();
+  const bool is_beyond = std::isfinite(real) && std::abs(real) > kMaxFloat;
+  const auto single = static_cast<float>(is_beyond ? std::copysign(kMaxFloat, real) : real);
+  std::uint32_t half = 0;
+  std::memcpy(&half, &single, sizeof(half));
+  bits = half;
+  return is_beyond ? Fit::kClamped : Fit::kExact;
+}
+
+Fit number_to_bits(const Number& number, ValueKind kind, std::uint64_t& bits) {
+  if (ValueType{kind}.is_real()) return real_bits(as_double(number), kind, bits);
+  if (kind != ValueKind::kBool) return integer_bits(number, kind, bits);
+  if (std::isnan(as_double(number))) return Fit::kNotFinite;
+  bits = as_double(number) != 0.0 ? 1 : 0;
+  return Fit::kExact;
+}
+
+void read_text(const RegisterLayout& layout, Bytes wire, std::string& text) {
+  text.clear();
+  const std::size_t swap = layout.bytes == Order::kBig ? 0 : 1;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(layout.type.characters); ++i) {
+    const char c = static_cast<char>(wire[i ^ swap]);
+    if (c == '\0') break;
+    text += c;
+  }
+}
+
+Fit write_text(const RegisterLayout& layout, const std::string& text, Span<std::uint8_t> wire) {
+  const std::size_t swap = layout.bytes == Order::kBig ? 0 : 1;
+  const auto characters = static_cast<std::size_t>(layout.type.characters);
+  for (std::size_t i = 0; i < wire.size(); ++i) {
+    wire[i ^ swap] = i < std::min(text.size(), characters) ? static_cast<std::uint8_t>(text[i]) : 0;
+  }
+  return text.size() > characters ? Fit::kClamped : Fit::kExact;
+}
+
+}  // namespace
+
+int ValueType::registers() const {
+  switch (kind) {
+    case ValueKind::kInt32:
+    case ValueKind::kUint32:
+    case ValueKind::kFloat32:
+      return 2;
+    case ValueKind::kInt64:
+    case ValueKind::kUint64:
+    case ValueKind::kFloat64:
+      return 4;
+    case ValueKind::kString:
+      return (characters + 1) / 2;
+    default:
+      return 1;
+  }
+}
+
+bool ValueType::is_integer() const { return kind >= ValueKind::kInt16 && kind <= ValueKind::kUint64; }
+
+bool ValueType::is_real() const {
+  return kind == ValueKind::kFloat32 || kind == ValueKind::kFloat64;
+}
+
+std::string ValueType::text() const {
+  if (kind == ValueKind::kString) return "string(" + std::to_string(characters) + ")";
+  if (kind == ValueKind::kBits) return "bits(" + join(bits, " ") + ")";
+  for (const auto& [name, plain] : kPlainTypes) {
+    if (plain == kind) return name;
+  }
+  return "";
+}
+
+ValueType parse_value_type(const std::string& text) {
+  std::string argument;
+  if (take_argument(text, "string", argument)) return string_type(argument);
+  if (take_argument(text, "bits", argument)) return bits_type(argument);
+  std::vector<std::string> known;
+  for (const auto& [name, kind] : kPlainTypes) {
+    if (text == name) return {kind};
+    known.emplace_back(name);
+  }
+  known.insert(known.end(), {"string(N)", "bits(NAMES)"});
+  throw Error("unknown type " + unknown_name_text(text, known));
+}
+
+double as_double(const Number& number) {
+  return std::visit([](auto value) { return static_cast<double>(value); }, number);
+}
+
+std::string number_to_text(const Number& number) {
+  return std::visit(
+      [](auto value) {
+        if constexpr (std::is_same_v<decltype(value), double>) {
+          return number_text(value);
+        } else {
+          return std::to_string(value);
+        }
+      },
+      number);
+}
+
+std::string value_to_text(const Value& value) {
+  if (value.numbers.empty()) return "'" + value.text + "'";
+  if (value.numbers.size() == 1) return number_to_text(value.numbers[0]);
+  std::vector<std::string> parts;
+  for (const Number& number : value.numbers) parts.push_back(number_to_text(number));
+  return "[" + join(parts) + "]";
+}
+
+void read_raw(const RegisterLayout& layout, Bytes wire, Value& value) {
+  value.numbers.clear();
+  value.text.clear();
+  if (layout.type.kind == ValueKind::kString) return read_text(layout, wire, value.text);
+  const int words = layout.type.registers();
+  for (int i = 0; i < layout.count; ++i) {
+    const Bytes own = wire.subspan(2U * i * words, 2U * words);
+    value.numbers.push_back(number_of_bits(layout.type.kind, read_words(layout, own, words)));
+  }
+}
+
+Fit write_raw(const RegisterLayout& layout, const Value& value, Span<std::uint8_t> wire) {
+  if (layout.type.kind == ValueKind::kString) return write_text(layout, value.text, wire);
+  const int words = layout.type.registers();
+  const int count = std::min(layout.count, static_cast<int>(value.numbers.size()));
+  Fit worst = Fit::kExact;
+  for (int i = 0; i < count; ++i) {
+    std::uint64_t bits = 0;
+    const Fit fit = number_to_bits(value.numbers[i], layout.type.kind, bits);
+    worst = std::max(worst, fit);
+    if (fit == Fit::kNotFinite) continue;
+    write_words(layout, bits, words, wire.subspan(2U * i * words, 2U * words));
+  }
+  return worst;
+}
+
+std::array<double, 2> raw_limits(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::kBool:
+      return {0.0, 1.0};
+    case ValueKind::kInt16:
+      return {-0x1p15, 0x1p15 - 1};
+    case ValueKind::kInt32:
+      return {-0x1p31, 0x1p31 - 1};
+    case ValueKind::kUint32:
+      return {0.0, 0x1p32 - 1};
+    case ValueKind::kInt64:
+      return {-0x1p63, 0x1p63};
+    case ValueKind::kUint64:
+      return {0.0, 0x1p64};
+    case ValueKind::kFloat32:
+      return {-double{std::numeric_limits<float>::max()}, double{std::numeric_limits<float>::max()}};
+    case ValueKind::kFloat64:
+      return {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
+    default:
+      return {0.0, 0x1p16 - 1};
+  }
+}
+
+}  // namespace trident::bridges::modbus
