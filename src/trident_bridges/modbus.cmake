@@ -6,9 +6,11 @@ trident_bridges_room(modbus
   src/modbus/map_checks.cpp
   src/modbus/mbap.cpp
   src/modbus/pdu.cpp
+  src/modbus/register_image.cpp
   src/modbus/register_map.cpp
   src/modbus/response.cpp
   src/modbus/rtu.cpp
+  src/modbus/server.cpp
   src/modbus/value.cpp
 )
 trident_bridges_test(modbus
@@ -17,5 +19,6 @@ trident_bridges_test(modbus
   test/modbus/register_map_test.cpp
   test/modbus/response_test.cpp
   test/modbus/rtu_test.cpp
+  test/modbus/server_test.cpp
   test/modbus/value_test.cpp
 )

@@ -169,7 +169,8 @@ void EntryChecks::check_limits() const {
     fail("type", "a " + entry_.layout.type.text() + " has no min, max, rate and safe");
   }
   if (spec_.min && spec_.max && *spec_.min > *spec_.max) {
-    fail("min", number_text(*spec_.min) + ", legal: up to max, which is " + number_text(*spec_.max));
+    fail("min",
+         number_text(*spec_.min) + ", legal: up to max, which is " + number_text(*spec_.max));
   }
   if (spec_.timeout && !spec_.safe) {
     fail("timeout", "needs a value of safe, which counts after it");

@@ -8,11 +8,11 @@
 namespace trident::bridges::modbus {
 namespace {
 
-constexpr std::size_t kReadRequestBytes = 5;   // function, address, quantity
-constexpr std::size_t kMaskRequestBytes = 7;   // function, address, two masks
-constexpr std::size_t kDeviceIdBytes = 4;      // function, type, code, object
-constexpr std::size_t kMultipleHeader = 6;     // function, address, quantity, byte count
-constexpr std::size_t kReadWriteHeader = 10;   // function, two addresses and quantities, byte count
+constexpr std::size_t kReadRequestBytes = 5;  // function, address, quantity
+constexpr std::size_t kMaskRequestBytes = 7;  // function, address, two masks
+constexpr std::size_t kDeviceIdBytes = 4;     // function, type, code, object
+constexpr std::size_t kMultipleHeader = 6;    // function, address, quantity, byte count
+constexpr std::size_t kReadWriteHeader = 10;  // function, two addresses and quantities, byte count
 
 void refuse(DecodedRequest& decoded, ExceptionCode code, std::string problem) {
   decoded.is_legal = false;

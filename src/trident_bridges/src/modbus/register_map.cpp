@@ -59,13 +59,12 @@ void check_overlaps(Reading& reading) {
   const RegisterEntry* before = nullptr;
   for (const RegisterEntry* entry : sorted) {
     if (before != nullptr && before->table == entry->table && before->end() > entry->address) {
-      const auto [first, second] = std::minmax(before, entry, [](const auto* a, const auto* b) {
-        return a->line < b->line;
-      });
-      reading.errors.emplace_back(
-          reading.map.file, second->line, "registers",
-          second->label() + " takes " + address_text(*second) + ", of which " + first->label() +
-              " of line " + std::to_string(first->line) + " has " + address_text(*first));
+      const auto [first, second] = std::minmax(
+          before, entry, [](const auto* a, const auto* b) { return a->line < b->line; });
+      reading.errors.emplace_back(reading.map.file, second->line, "registers",
+                                  second->label() + " takes " + address_text(*second) +
+                                      ", of which " + first->label() + " of line " +
+                                      std::to_string(first->line) + " has " + address_text(*first));
     }
     if (before == nullptr || before->table != entry->table || entry->end() > before->end()) {
       before = entry;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -73,7 +74,8 @@ std::uint64_t read_words(const RegisterLayout& layout, Bytes wire, int words) {
   for (int i = 0; i < words; ++i) {
     const int at = 2 * (layout.words == Order::kBig ? i : words - 1 - i);
     const unsigned first = wire[at], second = wire[at + 1];
-    bits = (bits << 16) | (layout.bytes == Order::kBig ? (first << 8) | second : (second << 8) | first);
+    bits = (bits << 16) |
+           (layout.bytes == Order::kBig ? (first << 8) | second : (second << 8) | first);
   }
   return bits;
 }
@@ -121,7 +123,8 @@ Fit integer_bits(const Number& number, ValueKind kind, std::uint64_t& bits) {
     if (std::isnan(*real)) return Fit::kNotFinite;
     const double rounded = std::round(*real);
     const bool fits = rounded >= lowest && rounded <= highest;
-    // 2^63 and 2^64 are doubles, the limits below them are not: the comparison must not let them in.
+    // 2^63 and 2^64 are doubles, the limits below them are not: the comparison must not let them
+    // in.
     if (fits && is_signed(kind) && rounded < 0x1p63) {
       bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded));
       return Fit::kExact;
@@ -138,7 +141,8 @@ Fit integer_bits(const Number& number, ValueKind kind, std::uint64_t& bits) {
   }
   if (const auto* const whole = std::get_if<std::int64_t>(&number)) {
     bits = static_cast<std::uint64_t>(*whole);
-    if (kind == ValueKind::kInt64 || (kind == ValueKind::kUint64 && *whole >= 0)) return Fit::kExact;
+    if (kind == ValueKind::kInt64 || (kind == ValueKind::kUint64 && *whole >= 0))
+      return Fit::kExact;
     return integer_bits(Number{static_cast<double>(*whole)}, kind, bits);
   }
   bits = std::get<std::uint64_t>(number);
@@ -208,7 +212,9 @@ int ValueType::registers() const {
   }
 }
 
-bool ValueType::is_integer() const { return kind >= ValueKind::kInt16 && kind <= ValueKind::kUint64; }
+bool ValueType::is_integer() const {
+  return kind >= ValueKind::kInt16 && kind <= ValueKind::kUint64;
+}
 
 bool ValueType::is_real() const {
   return kind == ValueKind::kFloat32 || kind == ValueKind::kFloat64;
@@ -244,7 +250,10 @@ std::string number_to_text(const Number& number) {
   return std::visit(
       [](auto value) {
         if constexpr (std::is_same_v<decltype(value), double>) {
-          return number_text(value);
+          // Not all digits: 1001 times 0.001 is to be shown as 1.001.
+          char text[32];
+          std::snprintf(text, sizeof(text), "%.9g", value);
+          return std::string(text);
         } else {
           return std::to_string(value);
         }
@@ -301,7 +310,8 @@ std::array<double, 2> raw_limits(ValueKind kind) {
     case ValueKind::kUint64:
       return {0.0, 0x1p64};
     case ValueKind::kFloat32:
-      return {-double{std::numeric_limits<float>::max()}, double{std::numeric_limits<float>::max()}};
+      return {-double{std::numeric_limits<float>::max()},
+              double{std::numeric_limits<float>::max()}};
     case ValueKind::kFloat64:
       return {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
     default:

@@ -90,7 +90,8 @@ TEST(RegisterMap, WhatCannotBeIsOneErrorWithFileLineKeyAndLegalValues) {
   const char* const cases[][2] = {
       {"table: input, address: 0, scale: 0", "m.yaml:3: registers[0].scale: 0, legal: "},
       {"table: input, address: 0, words: middle", "m.yaml:3: registers[0].words: "},
-      {"table: input, address: 0, type: int61", "m.yaml:3: registers[0].type: unknown type 'int61'"},
+      {"table: input, address: 0, type: int61",
+       "m.yaml:3: registers[0].type: unknown type 'int61'"},
       {"table: inputs, address: 0", "m.yaml:3: registers[0].table: "},
       {"address: 0", "m.yaml:3: registers[0].table: is required"},
       {"table: input, address: 65536", "registers[0].address: 65536, legal: 0 to 65535"},
@@ -102,13 +103,15 @@ TEST(RegisterMap, WhatCannotBeIsOneErrorWithFileLineKeyAndLegalValues) {
       {"table: coil, address: 0, type: int16", "registers[0].type: int16 of table coil"},
       {"table: coil, address: 0, scale: 2.0", "registers[0].scale: "},
       {"table: holding, address: 0, access: write, min: 2, max: 1", "registers[0].min: 2, legal: "},
-      {"table: holding, address: 0, access: write, min: 1, safe: 0", "registers[0].safe: 0, legal: "},
+      {"table: holding, address: 0, access: write, min: 1, safe: 0",
+       "registers[0].safe: 0, legal: "},
       {"table: holding, address: 0, access: write, timeout: 1", "registers[0].timeout: needs"},
       {"table: holding, address: 0, access: write, timeout: -1, safe: 0", "registers[0].timeout: "},
       {"table: holding, address: 0, access: write, rate: 0", "registers[0].rate: "},
       {"table: holding, address: 0, type: string(4), access: write, max: 1", "registers[0].type: "},
       {"table: holding, address: 0, type: string(4), count: 2", "registers[0].count: 2 of type"},
-      {"table: holding, address: 0, type: float64, count: 32", "it takes 128 addresses, legal: up to"},
+      {"table: holding, address: 0, type: float64, count: 32",
+       "it takes 128 addresses, legal: up to"},
       {"table: input, address: 0, topic: 'a b'", "registers[0].topic: 'a b' is no name"},
       {"table: input, address: 0, topic: a//b", "registers[0].topic: "},
       {"table: input, address: 0, message: Float64", "registers[0].message: 'Float64' is no type"},
@@ -151,9 +154,9 @@ TEST(RegisterMap, AllErrorsAreFoundAtOnce) {
 }
 
 TEST(RegisterMap, AFileWithoutRegistersIsRefused) {
-  for (const char* const text : {"", "unit: 1\n", "registers: []\n", "registers: 5\n",
-                                 "registers: {a: 1}\n", "registers: [5]\n", "unit: 0\nregisters: []\n",
-                                 "registers: [\n", "- a\n"}) {
+  for (const char* const text :
+       {"", "unit: 1\n", "registers: []\n", "registers: 5\n", "registers: {a: 1}\n",
+        "registers: [5]\n", "unit: 0\nregisters: []\n", "registers: [\n", "- a\n"}) {
     EXPECT_FALSE(errors_of_map(text, "m.yaml").empty()) << text;
     EXPECT_THROW(parse_register_map(text, "m.yaml"), ConfigError) << text;
   }

@@ -80,12 +80,12 @@ TEST(Values, WhatATypeCannotHoldIsClamped) {
   EXPECT_EQ(written(layout_of("uint16"), number(std::uint64_t{70000}), Fit::kClamped), "FF FF");
   EXPECT_EQ(written(layout_of("int32"), number(1e30), Fit::kClamped), "7F FF FF FF");
   EXPECT_EQ(written(layout_of("int64"), number(0x1p63), Fit::kClamped), "7F FF FF FF FF FF FF FF");
-  EXPECT_EQ(written(layout_of("uint64"), number(std::numeric_limits<double>::infinity()),
-                    Fit::kClamped),
-            "FF FF FF FF FF FF FF FF");
-  EXPECT_EQ(written(layout_of("int64"), number(std::numeric_limits<std::uint64_t>::max()),
-                    Fit::kClamped),
-            "7F FF FF FF FF FF FF FF");
+  EXPECT_EQ(
+      written(layout_of("uint64"), number(std::numeric_limits<double>::infinity()), Fit::kClamped),
+      "FF FF FF FF FF FF FF FF");
+  EXPECT_EQ(
+      written(layout_of("int64"), number(std::numeric_limits<std::uint64_t>::max()), Fit::kClamped),
+      "7F FF FF FF FF FF FF FF");
   EXPECT_EQ(written(layout_of("float32"), number(1e300), Fit::kClamped), "7F 7F FF FF");
 }
 
@@ -130,9 +130,9 @@ TEST(Values, AnUnknownTypeIsRefusedWithTheNearestOne) {
     EXPECT_NE(std::string(error.what()).find("did you mean 'int16'"), std::string::npos)
         << error.what();
   }
-  for (const char* const text : {"", "string", "string()", "string(0)", "string(1.5)",
-                                 "string(9999)", "bits()", "bits( , )", "INT16",
-                                 "bits(a b c d e f g h i j k l m n o p q)"}) {
+  for (const char* const text :
+       {"", "string", "string()", "string(0)", "string(1.5)", "string(9999)", "bits()", "bits( , )",
+        "INT16", "bits(a b c d e f g h i j k l m n o p q)"}) {
     EXPECT_THROW(parse_value_type(text), Error) << text;
   }
 }

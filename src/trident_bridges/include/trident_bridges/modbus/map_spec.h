@@ -118,9 +118,10 @@ struct RegisterSpec {
     ar.field("table", table, "with modicon numbering the address says it, too");
     ar.required("address", address, Range{0, 465536}, "of the first register or bit");
     ar.field("count", count, Range{1, 2000}, "values, for a field that is an array");
-    ar.field("type", type,
-             "bool, int16, int32, int64, uint16, uint32, uint64, float32, float64, string(N "
-             "characters), bits(NAMES of up to 16 bits); default: bool of bits, uint16 of registers");
+    ar.field(
+        "type", type,
+        "bool, int16, int32, int64, uint16, uint32, uint64, float32, float64, string(N "
+        "characters), bits(NAMES of up to 16 bits); default: bool of bits, uint16 of registers");
     ar.field("scale", scale, "the value is scale times what the registers hold, plus offset");
     ar.field("offset", offset, "see scale");
     ar.field("words", words, "which register of a value comes first");
@@ -128,8 +129,9 @@ struct RegisterSpec {
     ar.field("access", access, "what clients may do");
     ar.field("min", min, "least legal value that is written; below: exception 3");
     ar.field("max", max, "greatest legal value that is written; above: exception 3");
-    ar.field("rate", rate, Range::positive(),
-             "greatest change of the value since the last accepted write; faster: exception 6 [1/s]");
+    ar.field(
+        "rate", rate, Range::positive(),
+        "greatest change of the value since the last accepted write; faster: exception 6 [1/s]");
     ar.field("safe", safe, "value at start, and when the writer is silent for timeout");
     ar.field("timeout", timeout, Range::positive(), "longest silence of the writer [s]");
     ar.field("initial", initial, "value until there is another one, of what has no safe value");

@@ -16,13 +16,13 @@ namespace trident::bridges::modbus {
 
 /// One value of a device, checked and complete.
 struct RegisterEntry {
-  std::string name;        ///< each once in a map
-  int line = 0;            ///< of the map file, from 1
-  Table table{};           ///< where it lies
-  int address = 0;         ///< zero-based, of the first register or bit
-  RegisterLayout layout;   ///< in registers; of coils and discrete inputs one bit a value
-  double scale = 1.0;      ///< the value is scale times what the registers hold, plus offset
-  double offset = 0.0;     ///< see scale
+  std::string name;       ///< each once in a map
+  int line = 0;           ///< of the map file, from 1
+  Table table{};          ///< where it lies
+  int address = 0;        ///< zero-based, of the first register or bit
+  RegisterLayout layout;  ///< in registers; of coils and discrete inputs one bit a value
+  double scale = 1.0;     ///< the value is scale times what the registers hold, plus offset
+  double offset = 0.0;    ///< see scale
   Access access = Access::kRead;
   std::optional<double> min, max;  ///< of values that are written; empty: what the type has
   std::optional<double> rate;      ///< greatest change per second of simulated time
@@ -30,10 +30,10 @@ struct RegisterEntry {
   std::optional<double> timeout;   ///< longest silence of the writer [s]
   Value initial;                   ///< until there is another one
   Publish publish = Publish::kChange;
-  std::string topic;               ///< empty: has none
-  std::string field;               ///< path of the message's field
-  std::string message;             ///< "std_msgs/Float64"
-  std::string unit, doc;           ///< for tools
+  std::string topic;      ///< empty: has none
+  std::string field;      ///< path of the message's field
+  std::string message;    ///< "std_msgs/Float64"
+  std::string unit, doc;  ///< for tools
 
   bool is_bit() const { return table == Table::kCoil || table == Table::kDiscrete; }
   bool is_writable() const { return access != Access::kRead; }

@@ -31,13 +31,13 @@ enum class ValueKind {
 
 /// The type of a value as map files write it: "int16", "string(12)", "bits(leak fire)".
 struct ValueType {
-  ValueKind kind = ValueKind::kUint16;   ///< decides which of the members below count
-  int characters = 0;                    ///< of a kString
-  std::vector<std::string> bits = {};    ///< of kBits, from the least significant; "-": not used
-  int registers() const;                 ///< that one value takes; a kBool takes one, too
-  bool is_integer() const;               ///< kInt16 to kUint64
-  bool is_real() const;                  ///< kFloat32 and kFloat64
-  std::string text() const;              ///< as map files write it
+  ValueKind kind = ValueKind::kUint16;  ///< decides which of the members below count
+  int characters = 0;                   ///< of a kString
+  std::vector<std::string> bits = {};   ///< of kBits, from the least significant; "-": not used
+  int registers() const;                ///< that one value takes; a kBool takes one, too
+  bool is_integer() const;              ///< kInt16 to kUint64
+  bool is_real() const;                 ///< kFloat32 and kFloat64
+  std::string text() const;             ///< as map files write it
 };
 
 /// Reads a type. Names of bits are separated by spaces or commas. Throws Error with the nearest
@@ -54,10 +54,10 @@ constexpr auto enum_names(Order) {
 /// How a value lies in registers. With words and bytes big, a 32-bit value ABCD is sent as ABCD;
 /// words little: CDAB, bytes little: BADC, both little: DCBA.
 struct RegisterLayout {
-  ValueType type;               ///< of each value
-  Order words = Order::kBig;    ///< big: the register of the most significant bits comes first
-  Order bytes = Order::kBig;    ///< big: the most significant byte of a register comes first
-  int count = 1;                ///< values, one behind the other
+  ValueType type;             ///< of each value
+  Order words = Order::kBig;  ///< big: the register of the most significant bits comes first
+  Order bytes = Order::kBig;  ///< big: the most significant byte of a register comes first
+  int count = 1;              ///< values, one behind the other
   int registers() const { return count * type.registers(); }  ///< of all values
 };
 
@@ -66,7 +66,7 @@ using Number = std::variant<std::int64_t, std::uint64_t, double>;
 
 /// The nearest double.
 double as_double(const Number& number);
-/// "1.5", "-3".
+/// "1.5", "-3": nine digits of a real, for messages and tools.
 std::string number_to_text(const Number& number);
 
 /// What registers stand for: numbers, or of a kString its text.
