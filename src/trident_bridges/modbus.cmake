@@ -2,19 +2,24 @@
 # SPDX-License-Identifier: Apache-2.0
 
 trident_bridges_room(modbus
+  src/modbus/client.cpp
   src/modbus/device_identity.cpp
   src/modbus/map_checks.cpp
   src/modbus/mbap.cpp
   src/modbus/pdu.cpp
+  src/modbus/read_blocks.cpp
   src/modbus/register_image.cpp
   src/modbus/register_map.cpp
   src/modbus/response.cpp
   src/modbus/rtu.cpp
   src/modbus/server.cpp
   src/modbus/value.cpp
+  src/modbus/write_queue.cpp
 )
 trident_bridges_test(modbus
+  test/modbus/client_test.cpp
   test/modbus/mbap_test.cpp
+  test/modbus/mutated_input_test.cpp
   test/modbus/pdu_test.cpp
   test/modbus/register_map_test.cpp
   test/modbus/response_test.cpp

@@ -12,7 +12,7 @@
 namespace trident::bridges::modbus {
 namespace {
 
-/// A file on its way to a map.
+/// A file that is being read.
 struct Reading {
   RegisterMap map;
   std::vector<ConfigError> errors;

@@ -96,7 +96,7 @@ TEST(RegisterMap, WhatCannotBeIsOneErrorWithFileLineKeyAndLegalValues) {
       {"address: 0", "m.yaml:3: registers[0].table: is required"},
       {"table: input, address: 65536", "registers[0].address: 65536, legal: 0 to 65535"},
       {"table: input, address: 65535, type: int32", "addresses 65535 to 65536, legal: up to 65535"},
-      {"table: input, address: 0, adress: 1", "did you mean 'address'"},
+      {"table: input, address: 0, scales: 1", "did you mean 'scale'"},
       {"table: input, address: 0, access: write", "registers[0].access: "},
       {"table: discrete, address: 0, access: read_write", "registers[0].access: "},
       {"table: input, address: 0, min: 1", "registers[0].min: only of access: write"},

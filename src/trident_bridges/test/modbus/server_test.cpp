@@ -12,7 +12,7 @@
 namespace trident::bridges::modbus {
 namespace {
 
-const char* const kMap = R"(
+const char* const kServerMap = R"(
 unit: 17
 hold: 1.0
 registers:
@@ -35,7 +35,7 @@ registers:
 /// A server, and what it has reported.
 struct TestServer {
   std::vector<std::string> written, refused;
-  Server server{parse_register_map(kMap, "m.yaml"),
+  Server server{parse_register_map(kServerMap, "m.yaml"),
                 {[this](std::size_t entry, const Value& value, bool is_safe) {
                    written.push_back(server.map().entries[entry].name + " = " +
                                      value_to_text(value) + (is_safe ? " (safe)" : ""));

@@ -76,7 +76,7 @@ class Server {
     double last_s = -1e18;    ///< of the last accepted write
     bool is_watched = false;  ///< becomes safe after the entry's timeout
   };
-  /// A request on its way to an answer.
+  /// A request that is being answered.
   struct Task {
     const Caller& caller;
     const Request& request;
