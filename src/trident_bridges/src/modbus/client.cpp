@@ -28,7 +28,7 @@ std::string labels_of(const RegisterMap& map, const std::vector<std::size_t>& en
 Client::Client(RegisterMap map, bool may_pipeline, ClientEvents events)
     : map_(std::move(map)),
       events_(std::move(events)),
-      most_under_way_(may_pipeline ? static_cast<std::size_t>(map_.spec.pipeline) : 1),
+      max_in_flight_(may_pipeline ? static_cast<std::size_t>(map_.spec.pipeline) : 1),
       blocks_(read_blocks(map_)),
       states_(blocks_.size()),
       writes_(map_) {}
@@ -48,7 +48,7 @@ void Client::set(std::size_t entry, const Value& value, double time_s) {
 }
 
 std::optional<Outgoing> Client::next(double now_s) {
-  if (under_way_.size() >= most_under_way_) return std::nullopt;
+  if (in_flight_.size() >= max_in_flight_) return std::nullopt;
   if (!retries_.empty()) {
     Transaction again = std::move(retries_.front());
     retries_.erase(retries_.begin());
@@ -73,9 +73,9 @@ std::optional<Client::Transaction> Client::make_read() {
   for (std::size_t tried = 0; tried < blocks_.size(); ++tried) {
     const std::size_t index = (next_block_ + tried) % blocks_.size();
     BlockState& state = states_[index];
-    if (!state.is_due || state.is_under_way) continue;
+    if (!state.is_due || state.is_in_flight) continue;
     state.is_due = false;
-    state.is_under_way = true;
+    state.is_in_flight = true;
     next_block_ = index + 1;
     const ReadBlock& block = blocks_[index];
     Transaction transaction;
@@ -93,21 +93,21 @@ Outgoing Client::send(Transaction transaction, double now_s) {
   ++transaction.attempts;
   transaction.number = ++last_number_;
   transaction.deadline_s = now_s + map_.spec.response_timeout;
-  under_way_.push_back(std::move(transaction));
-  const Transaction& sent = under_way_.back();
+  in_flight_.push_back(std::move(transaction));
+  const Transaction& sent = in_flight_.back();
   return {sent.number, static_cast<std::uint8_t>(map_.spec.unit), sent.pdu};
 }
 
 void Client::receive(std::optional<std::uint16_t> number, std::uint8_t unit, Bytes pdu) {
-  const auto found = std::find_if(under_way_.begin(), under_way_.end(), [&](const Transaction& t) {
+  const auto found = std::find_if(in_flight_.begin(), in_flight_.end(), [&](const Transaction& t) {
     return !number || t.number == *number;
   });
-  if (found == under_way_.end() || unit != map_.spec.unit) {
+  if (found == in_flight_.end() || unit != map_.spec.unit) {
     ++counts_.late;
     return;
   }
   const Transaction transaction = std::move(*found);
-  under_way_.erase(found);
+  in_flight_.erase(found);
   const Response response = decode_response(decode_request(transaction.pdu.bytes()).request, pdu);
   if (response.kind == Response::Kind::kMalformed) {
     ++counts_.malformed;
@@ -131,7 +131,7 @@ void Client::finish(const Transaction& transaction, const Response& response) {
 void Client::finish_read(std::size_t index, const Response& response) {
   const ReadBlock& block = blocks_[index];
   BlockState& state = states_[index];
-  state.is_under_way = false;
+  state.is_in_flight = false;
   if (response.kind == Response::Kind::kException) {
     return fail("read refused", function_text(block.function) + ": " +
                                     labels_of(map_, block.entries) + ": " +
@@ -176,7 +176,7 @@ void Client::give_up(const Transaction& transaction) {
   const std::string attempts = std::to_string(transaction.attempts) + " attempts of " +
                                number_text(map_.spec.response_timeout) + " s each";
   if (transaction.block) {
-    states_[*transaction.block].is_under_way = false;
+    states_[*transaction.block].is_in_flight = false;
     fail("no answer",
          labels_of(map_, blocks_[*transaction.block].entries) + " was not read in " + attempts);
   } else {
@@ -186,13 +186,13 @@ void Client::give_up(const Transaction& transaction) {
 }
 
 void Client::update(double now_s) {
-  for (std::size_t i = 0; i < under_way_.size();) {
-    if (now_s < under_way_[i].deadline_s) {
+  for (std::size_t i = 0; i < in_flight_.size();) {
+    if (now_s < in_flight_[i].deadline_s) {
       ++i;
       continue;
     }
-    const Transaction overdue = std::move(under_way_[i]);
-    under_way_.erase(under_way_.begin() + static_cast<std::ptrdiff_t>(i));
+    const Transaction overdue = std::move(in_flight_[i]);
+    in_flight_.erase(in_flight_.begin() + static_cast<std::ptrdiff_t>(i));
     ++counts_.timeouts;
     give_up(overdue);
   }
@@ -200,16 +200,16 @@ void Client::update(double now_s) {
 
 std::optional<double> Client::deadline_s() const {
   std::optional<double> earliest;
-  for (const Transaction& transaction : under_way_) {
+  for (const Transaction& transaction : in_flight_) {
     earliest = std::min(earliest.value_or(transaction.deadline_s), transaction.deadline_s);
   }
   return earliest;
 }
 
 void Client::disconnect() {
-  under_way_.clear();
+  in_flight_.clear();
   retries_.clear();
-  for (BlockState& state : states_) state.is_under_way = state.is_due = false;
+  for (BlockState& state : states_) state.is_in_flight = state.is_due = false;
   writes_.restart();
   set_answering(false);
 }

@@ -166,14 +166,6 @@ Fit real_bits(double real, ValueKind kind, std::uint64_t& bits) {
   return is_beyond ? Fit::kClamped : Fit::kExact;
 }
 
-Fit number_to_bits(const Number& number, ValueKind kind, std::uint64_t& bits) {
-  if (ValueType{kind}.is_real()) return real_bits(as_double(number), kind, bits);
-  if (kind != ValueKind::kBool) return integer_bits(number, kind, bits);
-  if (std::isnan(as_double(number))) return Fit::kNotFinite;
-  bits = as_double(number) != 0.0 ? 1 : 0;
-  return Fit::kExact;
-}
-
 void read_text(const RegisterLayout& layout, Bytes wire, std::string& text) {
   text.clear();
   const std::size_t swap = layout.bytes == Order::kBig ? 0 : 1;
@@ -293,6 +285,16 @@ Fit write_raw(const RegisterLayout& layout, const Value& value, Span<std::uint8_
     write_words(layout, bits, words, wire.subspan(2U * i * words, 2U * words));
   }
   return worst;
+}
+
+Fit number_to_bits(const Number& number, ValueKind kind, std::uint64_t& bits) {
+  if (kind == ValueKind::kFloat32 || kind == ValueKind::kFloat64) {
+    return real_bits(as_double(number), kind, bits);
+  }
+  if (kind != ValueKind::kBool) return integer_bits(number, kind, bits);
+  if (std::isnan(as_double(number))) return Fit::kNotFinite;
+  bits = as_double(number) != 0.0 ? 1 : 0;
+  return Fit::kExact;
 }
 
 std::array<double, 2> raw_limits(ValueKind kind) {

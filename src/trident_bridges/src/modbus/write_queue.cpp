@@ -53,7 +53,7 @@ bool WriteQueue::may_join(const RegisterEntry& first, const RegisterEntry& last,
   const RegisterEntry& entry = map_.entries[next];
   const State& state = states_[next];
   const int most = entry.is_bit() ? kMaxWriteBits : kMaxWriteRegisters;
-  return state.is_due && !state.is_under_way && !state.is_alone && entry.table == last.table &&
+  return state.is_due && !state.is_in_flight && !state.is_alone && entry.table == last.table &&
          entry.address == last.end() && entry.end() - first.address <= most;
 }
 
@@ -61,7 +61,7 @@ std::optional<WriteBatch> WriteQueue::take() {
   for (std::size_t tried = 0; tried < order_.size(); ++tried) {
     const std::size_t begin = (next_ + tried) % order_.size();
     const State& first = states_[order_[begin]];
-    if (!first.is_due || first.is_under_way) continue;
+    if (!first.is_due || first.is_in_flight) continue;
     WriteBatch batch;
     batch.entries.push_back(order_[begin]);
     for (std::size_t i = begin + 1; i < order_.size() && !first.is_alone; ++i) {
@@ -72,7 +72,7 @@ std::optional<WriteBatch> WriteQueue::take() {
     for (const std::size_t index : batch.entries) {
       State& state = states_[index];
       state.is_due = false;
-      state.is_under_way = true;
+      state.is_in_flight = true;
       state.sent = state.wanted;
     }
     next_ = (begin + batch.entries.size()) % order_.size();
@@ -111,7 +111,7 @@ Pdu WriteQueue::request(const std::vector<std::size_t>& entries) const {
 
 void WriteQueue::accept(const std::vector<std::size_t>& entries) {
   for (const std::size_t index : entries) {
-    states_[index].is_under_way = states_[index].is_alone = false;
+    states_[index].is_in_flight = states_[index].is_alone = false;
   }
 }
 
@@ -119,7 +119,7 @@ bool WriteQueue::refuse(const std::vector<std::size_t>& entries) {
   const bool is_one = entries.size() == 1;
   for (const std::size_t index : entries) {
     State& state = states_[index];
-    state.is_under_way = false;
+    state.is_in_flight = false;
     state.sent.clear();
     if (is_one) continue;
     state.is_alone = true;
@@ -131,7 +131,7 @@ bool WriteQueue::refuse(const std::vector<std::size_t>& entries) {
 void WriteQueue::lose(const std::vector<std::size_t>& entries) {
   for (const std::size_t index : entries) {
     State& state = states_[index];
-    state.is_under_way = false;
+    state.is_in_flight = false;
     state.sent.clear();
     state.is_due = !map_.entries[index].timeout.has_value();
   }
@@ -140,7 +140,7 @@ void WriteQueue::lose(const std::vector<std::size_t>& entries) {
 void WriteQueue::restart() {
   for (const std::size_t index : order_) {
     State& state = states_[index];
-    state.is_under_way = false;
+    state.is_in_flight = false;
     state.sent.clear();
     state.is_due = !state.wanted.empty() && !map_.entries[index].timeout.has_value();
   }

@@ -163,7 +163,7 @@ TEST(ModbusClient, WhatHasNotChangedIsNotWrittenUntilTheDeviceWouldMissIt) {
   EXPECT_EQ(test.next(), "nothing") << "it has no timeout";
 }
 
-TEST(ModbusClient, TheNewestValueIsWrittenWhenOneIsUnderWay) {
+TEST(ModbusClient, TheNewestValueIsWrittenWhenOneIsInFlight) {
   TestClient test;
   test.set("right", 1.0);
   EXPECT_EQ(test.next(), "06 00 01 00 01");
@@ -265,7 +265,7 @@ TEST(ModbusClient, ALostCommandIsNotSentLaterButALostStateIs) {
   EXPECT_EQ(test.next(), "06 00 00 00 32");
 }
 
-TEST(ModbusClient, OverTcpSeveralRequestsAreUnderWay) {
+TEST(ModbusClient, OverTcpSeveralRequestsAreInFlight) {
   TestClient test(std::string("pipeline: 3\n") + kClientMap, true);
   test.client.poll();
   EXPECT_EQ(test.next(), "02 00 00 00 01");
@@ -283,10 +283,10 @@ TEST(ModbusClient, BlocksThatWereNotReadInTimeAreCounted) {
   test.client.poll();
   test.next();
   test.client.poll();
-  EXPECT_EQ(test.client.counts().skipped, 3U) << "the first is under way, and will be read again";
+  EXPECT_EQ(test.client.counts().skipped, 3U) << "the first is in flight, and will be read again";
 }
 
-/// A client and a server with a link that loses what it is told to lose.
+/// A client and a server with a link that loses a part of what is sent.
 class Pair {
  public:
   explicit Pair(double loss) : loss_(loss) {}

@@ -53,7 +53,7 @@ struct Outgoing {
 /// The owner sends what next() returns until it returns nothing, after each other call.
 class Client {
  public:
-  /// `may_pipeline`: several requests may be under way, as over TCP; on a serial line only one.
+  /// `may_pipeline`: several requests may be in flight, as over TCP; on a serial line only one.
   Client(RegisterMap map, bool may_pipeline, ClientEvents events);
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
@@ -70,9 +70,9 @@ class Client {
   void receive(std::optional<std::uint16_t> transaction, std::uint8_t unit, Bytes pdu);
   /// Gives up requests whose answer is overdue.
   void update(double now_s);
-  /// When update() has something to do; empty: nothing is under way.
+  /// When update() has something to do; empty: nothing is in flight.
   std::optional<double> deadline_s() const;
-  /// The connection has ended: what is under way is lost, and commands that the device may have
+  /// The connection has ended: what is in flight is lost, and commands that the device may have
   /// forgotten are due again, but for those with a timeout, which are too old by then.
   void disconnect();
 
@@ -92,7 +92,7 @@ class Client {
   };
   /// A block's part in the polling.
   struct BlockState {
-    bool is_due = false, is_under_way = false;
+    bool is_due = false, is_in_flight = false;
     std::vector<std::uint8_t> last;  ///< what was read: two bytes a register, one a bit
   };
 
@@ -108,12 +108,12 @@ class Client {
 
   RegisterMap map_;
   ClientEvents events_;
-  std::size_t most_under_way_;
+  std::size_t max_in_flight_;
   std::vector<ReadBlock> blocks_;
   std::vector<BlockState> states_;
   std::size_t next_block_ = 0;  ///< where the search for one that is due begins
   WriteQueue writes_;
-  std::vector<Transaction> under_way_, retries_;
+  std::vector<Transaction> in_flight_, retries_;
   std::uint16_t last_number_ = 0;
   bool is_answering_ = false;
   Value value_;  ///< storage that is used again

@@ -166,7 +166,7 @@ struct MapSpec {
     ar.field("poll", poll, Range{0.001, 10'000.0}, "of a client [Hz]");
     ar.field("response_timeout", response_timeout, Range{0.001, 60.0}, "of a client [s]");
     ar.field("retries", retries, Range{0, 10}, "of a client, after the first attempt");
-    ar.field("pipeline", pipeline, Range{1, 16}, "unanswered requests of a client, over tcp");
+    ar.field("pipeline", pipeline, Range{1, 16}, "requests of a client in flight, over tcp");
     ar.field("max_gap", max_gap, Range{0, 124},
              "registers between two values that a client reads, too, to save a request");
     ar.field("hold", hold, Range::non_negative(),

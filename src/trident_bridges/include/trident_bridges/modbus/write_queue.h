@@ -33,7 +33,7 @@ class WriteQueue {
   };
   /// See Client::set().
   Outcome set(std::size_t entry, const Value& value, double time_s);
-  /// The next request, whose entries are under way until one of the next three is called.
+  /// The next request, whose entries are in flight until one of the next three is called.
   std::optional<WriteBatch> take();
   /// The device has taken them.
   void accept(const std::vector<std::size_t>& entries);
@@ -50,7 +50,7 @@ class WriteQueue {
     std::vector<std::uint8_t> wanted;  ///< as on the wire; empty: nothing yet
     std::vector<std::uint8_t> sent;    ///< empty: the device may have anything
     double last_s = -1e18;             ///< when it was queued last, in simulated time
-    bool is_due = false, is_under_way = false;
+    bool is_due = false, is_in_flight = false;
     bool is_alone = false;  ///< is not written with others
   };
   bool may_join(const RegisterEntry& first, const RegisterEntry& last, std::size_t next) const;
