@@ -16,6 +16,7 @@ trident_bridges_room(modbus
   src/modbus/rtu.cpp
   src/modbus/scalar_codec.cpp
   src/modbus/server.cpp
+  src/modbus/topic_bindings.cpp
   src/modbus/value.cpp
   src/modbus/write_queue.cpp
 )
@@ -32,5 +33,6 @@ trident_bridges_test(modbus
   test/modbus/response_test.cpp
   test/modbus/rtu_test.cpp
   test/modbus/server_test.cpp
+  test/modbus/topic_bindings_test.cpp
   test/modbus/value_test.cpp
 )
