@@ -20,13 +20,13 @@ constexpr int kMaxFixedArray = 1 << 20;  // more is no message, but a mistake
 
 const std::map<std::string, WireType>& wire_types() {
   static const std::map<std::string, WireType> types{
-      {"bool", WireType::kBool},       {"int8", WireType::kInt8},
-      {"byte", WireType::kInt8},       {"uint8", WireType::kUint8},
-      {"char", WireType::kUint8},      {"int16", WireType::kInt16},
-      {"uint16", WireType::kUint16},   {"int32", WireType::kInt32},
-      {"uint32", WireType::kUint32},   {"int64", WireType::kInt64},
-      {"uint64", WireType::kUint64},   {"float32", WireType::kFloat32},
-      {"float64", WireType::kFloat64}, {"time", WireType::kTime},
+      {"bool", WireType::kBool},         {"int8", WireType::kInt8},
+      {"byte", WireType::kInt8},         {"uint8", WireType::kUint8},
+      {"char", WireType::kUint8},        {"int16", WireType::kInt16},
+      {"uint16", WireType::kUint16},     {"int32", WireType::kInt32},
+      {"uint32", WireType::kUint32},     {"int64", WireType::kInt64},
+      {"uint64", WireType::kUint64},     {"float32", WireType::kFloat32},
+      {"float64", WireType::kFloat64},   {"time", WireType::kTime},
       {"duration", WireType::kDuration}, {"string", WireType::kString}};
   return types;
 }
@@ -70,9 +70,8 @@ std::string package_of(const std::string& type) { return type.substr(0, type.fin
 int take_length(std::string& type) {
   if (type.empty() || type.back() != ']') return MessageField::kSingle;
   const std::size_t open = type.find('[');
-  const std::string inside = open == std::string::npos
-                                 ? "?"
-                                 : type.substr(open + 1, type.size() - open - 2);
+  const std::string inside =
+      open == std::string::npos ? "?" : type.substr(open + 1, type.size() - open - 2);
   type.resize(std::min(open, type.size()));
   if (inside.empty()) return MessageField::kVariable;
   const auto length = number_from_text(inside);

@@ -131,9 +131,10 @@ std::vector<PathStep> parse_field_path(const std::string& path) {
     const std::size_t end = std::min(path.find('.', begin), path.size());
     PathStep step{path.substr(begin, end - begin)};
     if (const std::size_t open = step.name.find('['); open != std::string::npos) {
-      const auto number = step.name.back() == ']'
-                              ? number_from_text(step.name.substr(open + 1, step.name.size() - open - 2))
-                              : std::nullopt;
+      const auto number =
+          step.name.back() == ']'
+              ? number_from_text(step.name.substr(open + 1, step.name.size() - open - 2))
+              : std::nullopt;
       if (!number || *number < 0 || *number > kMaxElement || *number != std::floor(*number)) {
         throw Error("field '" + path + "': '" + step.name + "', legal: name[0] to name[4096]");
       }

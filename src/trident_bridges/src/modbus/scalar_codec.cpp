@@ -99,7 +99,8 @@ Number read_scalar(WireType type, Bytes bytes) {
       return real;
     }
     case WireType::kTime:
-      return static_cast<std::uint32_t>(bits) + static_cast<double>(bits >> 32) / kNanosecondsPerSecond;
+      return static_cast<std::uint32_t>(bits) +
+             static_cast<double>(bits >> 32) / kNanosecondsPerSecond;
     case WireType::kDuration:
       return static_cast<std::int32_t>(bits) +
              static_cast<double>(static_cast<std::int32_t>(bits >> 32)) / kNanosecondsPerSecond;

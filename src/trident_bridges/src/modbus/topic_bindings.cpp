@@ -12,7 +12,7 @@ namespace {
 
 /// Appends a value's topic, or those of its bits.
 void add_bindings(const RegisterEntry& entry, std::size_t index, const std::string& suffix,
-          std::vector<TopicBinding>& bindings) {
+                  std::vector<TopicBinding>& bindings) {
   const std::string topic = entry.topic + suffix;
   const ValueType& type = entry.layout.type;
   if (type.kind != ValueKind::kBits || entry.message != "std_msgs/Bool") {
@@ -71,9 +71,9 @@ std::vector<ConfigError> errors_of_topics(const RegisterMap& map, const Definiti
     if (entry.topic.empty()) continue;
     const auto [first, is_new] = first_of_topic.emplace(entry.topic, &entry);
     if (!is_new && first->second->message != entry.message) {
-      report(entry, "message", entry.message + ", but line " +
-                                   std::to_string(first->second->line) + " has " +
-                                   first->second->message + " on topic " + entry.topic);
+      report(entry, "message",
+             entry.message + ", but line " + std::to_string(first->second->line) + " has " +
+                 first->second->message + " on topic " + entry.topic);
     }
     const MessageDefinition* definition = nullptr;
     try {

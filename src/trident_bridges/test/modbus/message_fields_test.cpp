@@ -31,8 +31,7 @@ MessageDefinition definition() {
           "duration after\n"
           "Nothing[] nothing\n"
           "int64 big\n" +
-              kLine +
-              "\nMSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n" + kLine +
+              kLine + "\nMSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n" + kLine +
               "\nMSG: test/Part\nfloat32 x\nstring label\nint16[2] pair\n" + kLine +
               "\nMSG: test/Nothing\nuint8 ANY=1\n"};
 }
@@ -55,8 +54,8 @@ Value read(const std::string& path, Bytes bytes) {
 
 TEST(MessageFields, AMessageWithoutValuesIsZerosAndAStamp) {
   const auto bytes = message({}, {});
-  // header 4 + 8 + 4, on 1, small 3, name 4, parts 4, part 4 + 4 + 4, values 4, at 8, after 8, nothing 4,
-  // big 8
+  // header 4 + 8 + 4, on 1, small 3, name 4, parts 4, part 4 + 4 + 4, values 4, at 8, after 8,
+  // nothing 4, big 8
   EXPECT_EQ(bytes.size(), 16U + 1 + 3 + 4 + 4 + 12 + 4 + 8 + 8 + 8 + 4);
   EXPECT_DOUBLE_EQ(as_double(read("header.stamp", bytes).numbers.at(0)), 5.000000006);
   EXPECT_EQ(read("header.seq", bytes), number(std::uint64_t{0}));
@@ -65,9 +64,9 @@ TEST(MessageFields, AMessageWithoutValuesIsZerosAndAStamp) {
 }
 
 TEST(MessageFields, WhatIsWrittenIsReadWhereverItStands) {
-  const std::vector<std::string> paths{"on",          "small",     "name",      "parts[1].x",
-                                       "parts[1].label", "part.pair[1]", "values", "at",
-                                       "after",       "big",       "header.frame_id"};
+  const std::vector<std::string> paths{
+      "on",     "small", "name",  "parts[1].x", "parts[1].label", "part.pair[1]",
+      "values", "at",    "after", "big",        "header.frame_id"};
   const std::vector<Value> values{
       number(std::uint64_t{1}),
       {{Number{std::int64_t{-1}}, Number{std::int64_t{2}}, Number{std::int64_t{-3}}}, ""},
@@ -81,7 +80,8 @@ TEST(MessageFields, WhatIsWrittenIsReadWhereverItStands) {
       number(std::int64_t{-1234567890123}),
       {{}, "base_link"}};
   const auto bytes = message(paths, values);
-  for (std::size_t i = 0; i < paths.size(); ++i) EXPECT_EQ(read(paths[i], bytes), values[i]) << paths[i];
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    EXPECT_EQ(read(paths[i], bytes), values[i]) << paths[i];
   EXPECT_EQ(read("parts[0].x", bytes), number(0.0)) << "elements before the named one are zero";
   EXPECT_EQ(read("part.pair", bytes).numbers.size(), 2U);
 }

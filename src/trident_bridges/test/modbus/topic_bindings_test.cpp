@@ -65,7 +65,7 @@ TEST(TopicBindings, NamedBitsAreTopicsOfTheirOwn) {
   EXPECT_EQ(bits.inputs[1].bit, 2);
   const auto word = topic_bindings(
       map_with("  - {name: a, table: input, address: 0, type: bits(leak - fire), topic: alarm,"
-             " message: std_msgs/UInt16}\n"),
+               " message: std_msgs/UInt16}\n"),
       Role::kServer);
   EXPECT_EQ(topics_of(word.inputs), Texts{"alarm"});
   EXPECT_EQ(word.inputs[0].bit, TopicBinding::kWhole);
@@ -77,22 +77,26 @@ TEST(TopicBindings, WhatDoesNotFitIsNamedWithItsLine) {
   EXPECT_EQ(topic_errors_of("  - {name: a, table: input, address: 0, topic: x, field: date}\n"),
             Texts{"m.yaml:2: registers.a.field: std_msgs/UInt16 has no field 'date'; did you mean "
                   "'data'? Known: data"});
-  EXPECT_EQ(topic_errors_of("  - {name: a, table: input, address: 0, topic: x, message: std_msgs/String}\n"),
+  EXPECT_EQ(topic_errors_of(
+                "  - {name: a, table: input, address: 0, topic: x, message: std_msgs/String}\n"),
             Texts{"m.yaml:2: registers.a.field: field 'data' of std_msgs/String is a string, the "
                   "value is a uint16"});
-  EXPECT_EQ(topic_errors_of("  - {name: a, table: input, address: 0, count: 4, topic: x, message: t/Row,"
+  EXPECT_EQ(
+      topic_errors_of("  - {name: a, table: input, address: 0, count: 4, topic: x, message: t/Row,"
                       " field: row}\n"),
-            Texts{"m.yaml:2: registers.a.field: field 'row' of t/Row has 3 elements, count is 4"});
-  EXPECT_EQ(topic_errors_of("  - {name: a, table: input, address: 0, count: 4, topic: x, message: t/Row,"
+      Texts{"m.yaml:2: registers.a.field: field 'row' of t/Row has 3 elements, count is 4"});
+  EXPECT_EQ(
+      topic_errors_of("  - {name: a, table: input, address: 0, count: 4, topic: x, message: t/Row,"
                       " field: 'row[0]'}\n"),
-            Texts{"m.yaml:2: registers.a.field: field 'row[0]' of t/Row is no array, count is 4"});
+      Texts{"m.yaml:2: registers.a.field: field 'row[0]' of t/Row is no array, count is 4"});
   EXPECT_EQ(topic_errors_of("  - {name: a, table: input, address: 0, topic: x}\n"
-                      "  - {name: b, table: input, address: 1, scale: 2.0, topic: x}\n"),
+                            "  - {name: b, table: input, address: 1, scale: 2.0, topic: x}\n"),
             Texts{"m.yaml:3: registers.b.message: std_msgs/Float64, but line 2 has std_msgs/UInt16 "
                   "on topic x"});
-  EXPECT_EQ(topic_errors_of("  - {name: a, table: input, address: 0, count: 4, topic: x, message: t/Row,"
+  EXPECT_EQ(
+      topic_errors_of("  - {name: a, table: input, address: 0, count: 4, topic: x, message: t/Row,"
                       " field: rest}\n"),
-            Texts{});
+      Texts{});
 }
 
 }  // namespace

@@ -36,15 +36,15 @@ struct MessageField {
   static constexpr int kVariable = -2;  ///< as `length`: an array of any length
 
   std::string name;
-  std::string type_text;                 ///< as the definition has it, without brackets
-  WireType type = WireType::kMessage;    ///< of an array: of its elements
-  std::string message;                   ///< full name of a kMessage's type
-  int length = kSingle;                  ///< of a fixed array: its elements
+  std::string type_text;               ///< as the definition has it, without brackets
+  WireType type = WireType::kMessage;  ///< of an array: of its elements
+  std::string message;                 ///< full name of a kMessage's type
+  int length = kSingle;                ///< of a fixed array: its elements
 };
 
-/// The definition of a message type of ROS 1 and of those in it, as publishers send it in the header
-/// of a connection: text of the type itself, and of each other one below a line of 80 "=" and
-/// "MSG: package/Type".
+/// The definition of a message type of ROS 1 and of those in it, as publishers send it in the
+/// header of a connection: text of the type itself, and of each other one below a line of 80 "="
+/// and "MSG: package/Type".
 class MessageDefinition {
  public:
   /// Throws Error for a line that is no field, an unknown type, or a type that holds itself.

@@ -63,8 +63,8 @@ class MessageWriter {
   struct Piece {
     static constexpr int kNothing = -1, kStamp = -2;  ///< as `value`
     std::vector<std::uint8_t> constant;
-    int value = kNothing;          ///< number of a path
-    WireType type{};               ///< of the value, or of its elements
+    int value = kNothing;  ///< number of a path
+    WireType type{};       ///< of the value, or of its elements
     int length = MessageField::kSingle;
   };
 

@@ -98,8 +98,8 @@ enum class Fit {
 /// is filled with zeros.
 Fit write_raw(const RegisterLayout& layout, const Value& value, Span<std::uint8_t> wire);
 
-/// The bits of a number as a type has them, in the lowest places of `bits`; NaN of an integer leaves
-/// them as they are. A kBool is whether the number is not 0.
+/// The bits of a number as a type has them, in the lowest places of `bits`; NaN of an integer
+/// leaves them as they are. A kBool is whether the number is not 0.
 Fit number_to_bits(const Number& number, ValueKind kind, std::uint64_t& bits);
 
 /// The numbers that a type can hold: [lowest, highest]; of kFloat32 the finite ones.

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/ros.h>
+
+#include <cstdint>
+#include <functional>
+
+#include "trident_bridges_ros/node_poll_loop.h"
+
+namespace trident::bridges::modbus {
+
+/// Calls a function at a fixed period in the loop's thread: of simulated time where the node has
+/// it, of wall time otherwise. Ticks that were missed are left out.
+class NodeTicker {
+ public:
+  /// `loop` outlives the ticker; `period_s` is positive.
+  NodeTicker(NodePollLoop& loop, double period_s, std::function<void()> tick);
+  ~NodeTicker();
+  NodeTicker(const NodeTicker&) = delete;
+  NodeTicker& operator=(const NodeTicker&) = delete;
+
+ private:
+  void schedule();
+
+  NodePollLoop& loop_;
+  double period_s_;
+  std::function<void()> tick_;
+  double next_s_ = 0.0;     ///< of wall time
+  std::uint64_t call_ = 0;  ///< of wall time
+  ros::Timer timer_;        ///< of simulated time
+};
+
+}  // namespace trident::bridges::modbus
