@@ -106,8 +106,8 @@ TEST(MessageFields, AnElementThatAMessageDoesNotHaveIsNotRead) {
 
 TEST(MessageFields, APathThatLeadsNowhereIsRefusedWithTheNearestName) {
   const char* const cases[][2] = {
-      {"ons", "test/All has no field 'ons'; did you mean 'on'?"},
-      {"part.lable", "test/Part has no field 'lable'; did you mean 'label'?"},
+      {"names", "test/All has no field 'names'; did you mean 'name'?"},
+      {"part.labels", "test/Part has no field 'labels'; did you mean 'label'?"},
       {"part", "field 'part' of test/All is a test/Part, legal: a number or a text in it"},
       {"on.x", "field 'on' of test/All is a bool, which has no fields"},
       {"on[0]", "field 'on' is no array"},

@@ -12,7 +12,7 @@
 
 namespace trident::bridges::modbus {
 
-/// Parameters of modbus_server_node and modbus_client_node, beside those of the map.
+/// Parameters of modbus_server_node and modbus_client_node, in addition to those of the map.
 struct ModbusNodeParams {
   std::string map;                    ///< file
   std::optional<std::string> host;    ///< in place of the map's
