@@ -47,9 +47,10 @@ HelloEntry get_entry(HelloFields* fields) {
   const std::uint8_t flags = fields->get<std::uint8_t>();
   entry.heard = flags & kHeardAll;
   if ((flags & kHasOffer) != 0) {
-    entry.offer.label = {fields->number(), fields->number()};
-    const std::uint64_t metric_ns = std::uint64_t{entry.offer.label.distance_ns} + fields->number();
-    if (metric_ns >= kNoMetric || entry.offer.label.sequence == 0) fields->fail();
+    entry.offer.feasibility = {fields->number(), fields->number()};
+    const std::uint64_t metric_ns =
+        std::uint64_t{entry.offer.feasibility.distance_ns} + fields->number();
+    if (metric_ns >= kNoMetric || entry.offer.feasibility.sequence == 0) fields->fail();
     entry.offer.metric_ns = static_cast<std::uint32_t>(metric_ns);
   }
   if ((flags & kHasRequest) != 0) {
@@ -75,9 +76,9 @@ std::string encode(const Hello& hello) {
     bytes.append(entry.robot);
     wire::put(flags, &bytes);
     if (offer.is_route()) {
-      put_number(offer.label.sequence, &bytes);
-      put_number(offer.label.distance_ns, &bytes);
-      put_number(offer.metric_ns - offer.label.distance_ns, &bytes);
+      put_number(offer.feasibility.sequence, &bytes);
+      put_number(offer.feasibility.distance_ns, &bytes);
+      put_number(offer.metric_ns - offer.feasibility.distance_ns, &bytes);
     }
     if (entry.wanted_sequence > 0) put_number(entry.wanted_sequence, &bytes);
   }

@@ -16,13 +16,13 @@ constexpr std::uint32_t kNoMetric = std::numeric_limits<std::uint32_t>::max();
 /// Share of hellos that stands for all of them.
 constexpr std::uint8_t kHeardAll = 63;
 
-/// Where a robot is in the order that keeps routes free of loops (RFC 8966's feasibility distance).
-struct RouteLabel {
+/// Where a robot is in the order that keeps routes free of loops (RFC 8966, 2.4).
+struct FeasibilityDistance {
   std::uint32_t sequence = 0;  ///< of the destination; 0: there never was a route
   std::uint32_t distance_ns = kNoMetric;
 
   /// Nearer to the destination: a newer sequence number, or a shorter distance at the same one.
-  bool is_below(const RouteLabel& other) const {
+  bool is_better_than(const FeasibilityDistance& other) const {
     return sequence > other.sequence ||
            (sequence == other.sequence && distance_ns < other.distance_ns);
   }
@@ -30,7 +30,7 @@ struct RouteLabel {
 
 /// What a robot offers to its neighbors for one destination.
 struct RouteOffer {
-  RouteLabel label;                     ///< its distance is not above the metric
+  FeasibilityDistance feasibility;      ///< its distance is not above the metric
   std::uint32_t metric_ns = kNoMetric;  ///< expected transmission time of a packet, all hops
 
   bool is_route() const { return metric_ns != kNoMetric; }
@@ -57,7 +57,7 @@ struct Hello {
   std::vector<HelloEntry> entries{};  ///< by name, ascending, each name once
 };
 
-/// Names have 1 to 255 bytes; an offer's label must not be above its metric.
+/// Names have 1 to 255 bytes; an offer's feasibility distance must not be above its metric.
 std::string encode(const Hello& hello);
 /// Empty: encode() does not make such bytes. Names point into `bytes`.
 std::optional<Hello> decode_hello(std::string_view bytes);

@@ -51,7 +51,7 @@ std::uint32_t Router::link_cost_ns(const Neighbor& neighbor, double rate_bit_s,
   if (shares <= 0.0 || !(rate_bit_s > 0.0)) return kNoMetric;
   double cost_ns = 8e9 * params_.packet_bytes / (rate_bit_s * shares);
   if (is_base_station || params_.is_base_station) cost_ns *= params_.base_station_factor;
-  // A link that costs nothing would let labels stay equal along a route.
+  // A link that costs nothing would let feasibility distances stay equal along a route.
   return cost_ns < kNoMetric ? static_cast<std::uint32_t>(std::max(cost_ns, 1.0)) : kNoMetric;
 }
 
@@ -87,8 +87,8 @@ void Router::take_entry(const HelloEntry& entry, std::size_t sender) {
   if (entry.wanted_sequence > 0) take_request(entry, destination);
 }
 
-/// Requests go where labels fall, as packets do, so that they reach the destination without an
-/// echo. Who has such a route already answers.
+/// Requests go where feasibility distances improve, as packets do, so that they reach the
+/// destination without an echo. Who has such a route already answers.
 void Router::take_request(const HelloEntry& entry, std::size_t destination) {
   if (destination == 0) {
     sequence_ = std::max(sequence_, entry.wanted_sequence);
@@ -97,11 +97,11 @@ void Router::take_request(const HelloEntry& entry, std::size_t destination) {
   }
   Route& route = robots_[destination].route;
   if (route.next_hop == kNobody) return;
-  if (route.label.sequence >= entry.wanted_sequence) {
+  if (route.feasibility.sequence >= entry.wanted_sequence) {
     is_triggered_ = true;
     return;
   }
-  if (entry.offer.is_route() && !route.label.is_below(entry.offer.label)) return;
+  if (entry.offer.is_route() && !route.feasibility.is_better_than(entry.offer.feasibility)) return;
   route.requested = std::max(route.requested, entry.wanted_sequence);
   route.is_request_due = is_triggered_ = true;
 }
@@ -116,7 +116,7 @@ Router::Choice Router::choose(std::size_t destination, bool* is_starved) const {
     if (destination >= neighbor.offers.size()) continue;
     const RouteOffer& offer = neighbor.offers[destination];
     if (!offer.is_route() || offer.metric_ns >= kNoMetric - neighbor.cost_ns) continue;
-    if (!offer.label.is_below(route.label)) {
+    if (!offer.feasibility.is_better_than(route.feasibility)) {
       has_forbidden = true;
       continue;
     }
@@ -136,7 +136,7 @@ void Router::update_route(std::size_t destination) {
   bool is_starved = false;
   const Choice choice = choose(destination, &is_starved);
   const bool had_route = route.next_hop != kNobody, has_route = choice.robot != kNobody;
-  const bool is_back = has_route && !had_route && route.label.sequence > 0;
+  const bool is_back = has_route && !had_route && route.feasibility.sequence > 0;
   if (is_back || (had_route && !has_route) || (is_starved && !route.is_starved)) {
     is_triggered_ = true;
   }
@@ -145,7 +145,7 @@ void Router::update_route(std::size_t destination) {
   route.is_starved = is_starved;
   if (route.requested == 0 || !has_route) return;
   const RouteOffer& offer = robots_[choice.robot].neighbor.offers[destination];
-  if (offer.label.sequence < route.requested) return;
+  if (offer.feasibility.sequence < route.requested) return;
   route.requested = 0;
   route.is_request_due = false;
   is_triggered_ = true;
@@ -174,7 +174,7 @@ void Router::lost(const std::string& name) {
   update_routes();
 }
 
-/// The label falls to what is sent with it, and never rises.
+/// The feasibility distance becomes that of what is sent if it is better, and never worse.
 HelloEntry Router::make_entry(Robot* robot) {
   Route& route = robot->route;
   HelloEntry entry;
@@ -182,13 +182,14 @@ HelloEntry Router::make_entry(Robot* robot) {
   if (robot->neighbor.is_alive) entry.heard = robot->neighbor.window.share();
   if (route.next_hop != kNobody) {
     const auto destination = static_cast<std::size_t>(robot - robots_.data());
-    const RouteLabel& below = robots_[route.next_hop].neighbor.offers[destination].label;
-    const RouteLabel label{below.sequence, route.metric_ns};
-    if (label.is_below(route.label)) route.label = label;
-    entry.offer = {route.label, route.metric_ns};
+    const FeasibilityDistance& below =
+        robots_[route.next_hop].neighbor.offers[destination].feasibility;
+    const FeasibilityDistance feasibility{below.sequence, route.metric_ns};
+    if (feasibility.is_better_than(route.feasibility)) route.feasibility = feasibility;
+    entry.offer = {route.feasibility, route.metric_ns};
   }
   if (route.is_starved) {
-    entry.wanted_sequence = route.label.sequence + 1;
+    entry.wanted_sequence = route.feasibility.sequence + 1;
   } else if (std::exchange(route.is_request_due, false)) {
     entry.wanted_sequence = route.requested;
   }

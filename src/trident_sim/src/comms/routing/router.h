@@ -34,14 +34,15 @@ struct RouterParams {
 /// value.
 ///
 /// The routes of all robots together have no loop at any time, whatever is lost or late: a neighbor
-/// is a next hop only while the label that it sent is below the own one, and labels only fall, so
-/// that they fall along each route. Babel compares the neighbor's metric instead of its label; that
-/// refuses more, as the metric moves with each hello that is lost. This needs that a router keeps
-/// its state; one that begins again under the same name has to be silent for three hello periods.
+/// is a next hop only while the feasibility distance that it sent is better than the own one, which
+/// only becomes better, so that they do along each route. Babel compares the neighbor's metric
+/// instead; that refuses more, as the metric moves with each hello that is lost. This needs that a
+/// router keeps its state; one that begins again under the same name has to be silent for three
+/// hello periods.
 ///
 /// A destination raises its sequence number each second, though RFC 8966 advises against it: only a
 /// newer number admits the best path again after links have become worse, and requests are lost,
-/// too. It raises it at once for a robot that has only routes left that its label forbids.
+/// too. It raises it at once for a robot that has only routes left that are not feasible.
 class Router {
  public:
   Router(const std::string& name, const RouterParams& params);
@@ -77,10 +78,10 @@ class Router {
   };
   /// Another robot as a destination.
   struct Route {
-    RouteLabel label;                     ///< the lowest that was ever sent
+    FeasibilityDistance feasibility;      ///< the best that was ever sent
     std::size_t next_hop = kNobody;       ///< robot
     std::uint32_t metric_ns = kNoMetric;  ///< with the link to the next hop
-    bool is_starved = false;              ///< there are routes, and the label forbids them
+    bool is_starved = false;              ///< there are routes, and not one is feasible
     std::uint32_t requested = 0;          ///< sequence number that others wait for; 0: none
     bool is_request_due = false;          ///< it is to be passed on
   };
