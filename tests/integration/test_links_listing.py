@@ -47,7 +47,7 @@ def is_published(ros: RosProcesses, topic: str) -> bool:
 
 
 def register(ros: RosProcesses) -> None:
-    """Two robots with radios, a relayed topic with a reader, and a node that reads past it."""
+    """Two robots with radios, a relayed topic and service, and a node that reads past them."""
     nowhere = "http://127.0.0.1:1"
     for robot in ("uav1", "usv1"):
         kind = "trident_msgs/LinkStatusArray"
@@ -56,12 +56,16 @@ def register(ros: RosProcesses) -> None:
     ros.master.registerPublisher("/gazebo", "/usv1/from/uav1/odometry", odometry, nowhere)
     ros.master.registerSubscriber("/usv1/planner", "/usv1/from/uav1/odometry", odometry, nowhere)
     ros.master.registerSubscriber("/usv1/spy", "/uav1/odometry", odometry, nowhere)
+    for service in ("/usv1/to/uav1/arm", "/uav1/arm"):
+        ros.master.registerService("/gazebo", service, "rosrpc://127.0.0.1:1", nowhere)
 
 
 TOPICS = [
     "radios: uav1, usv1",
     "relayed topics:",
     "  /usv1/from/uav1/odometry  nav_msgs/Odometry  read by /usv1/planner",
+    "services by radio:",
+    "  /usv1/to/uav1/arm",
     "read past the radio:",
     "  /usv1/spy  reads /uav1/odometry",
 ]
@@ -95,7 +99,8 @@ def test_a_world_that_stands_has_topics_alone(ros: RosProcesses) -> None:
 def test_without_radios_there_is_little_to_list(ros: RosProcesses) -> None:
     assert ros.run(LINKS) == (
         0,
-        "radios: none\nrelayed topics: none\nread past the radio: nothing\n",
+        "radios: none\nrelayed topics: none\nservices by radio: none\n"
+        "read past the radio: nothing\n",
     )
 
 

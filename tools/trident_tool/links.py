@@ -23,7 +23,7 @@ def add_links_command(add: Callable[[str, Handler, str], argparse.ArgumentParser
     add(
         "links",
         _cmd_links,
-        "the radios of a running simulation: links, relayed topics, and who reads past them",
+        "the radios of a running simulation: links, topics and services, and who reads past them",
     )
 
 

@@ -23,6 +23,13 @@ def entry(rule: str, source: str, destination: str, **more: Any) -> dict[str, An
     return named | {"delay_mean_s": 0.0012, "delay_max_s": 0.004} | counts | more
 
 
+def call_entry(rule: str, caller: str, server: str, **more: Any) -> dict[str, Any]:
+    """An entry of `calls` as the simulator writes it; one of 4 calls that were all answered."""
+    counts = {"called": 4, "answered": 4, "failed": 0, "refused": 0, "expired": 0, "aborted": 0}
+    named = {"rule": rule, "deadline_s": 5.0, "caller": caller, "server": server}
+    return named | {"delay_mean_s": 0.0032, "delay_max_s": 0.0041} | counts | more
+
+
 def add_relay(folder: Path, entries: list[Any]) -> None:
     """Put entries into a run.json, which may be there already."""
     path = folder / "run.json"

@@ -10,11 +10,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from radio_runs import HEADER, add_relay, entry, three_radios, write_links
+from radio_runs import HEADER, add_relay, call_entry, entry, three_radios, write_links
 from runs import Run
 from trident_eval.__main__ import main
 from trident_eval.core.errors import EvalError
-from trident_eval.core.links import add_links, judge_links, read_links, read_relay
+from trident_eval.core.links import read_links
+from trident_eval.core.relay import add_links, judge_calls, judge_links, read_relay
 from trident_eval.core.report import Row, table, verdict_rows
 from trident_eval.core.verdict import Verdict
 
@@ -182,6 +183,37 @@ def test_a_rule_of_which_nothing_arrives_fails_the_run(relay: list[dict[str, Any
     assert reasons == ["rule 1 (odometry): nothing of 300 messages of uav1 has arrived"]
     assert [row["satisfied"] for row in rows] == [False] * (len(rows) - 1) + [True]
     assert rows[0]["delay_max_s"] is None
+
+
+ARM = "rule 3 (arm)"
+
+
+def test_calls_are_judged_by_their_answers() -> None:
+    some = call_entry(ARM, "usv1", "uav1", called=6, failed=1)  # one is in progress
+    none = call_entry(ARM, "ugv1", "uav1", called=3, answered=0, expired=1, failed=1)
+    begun = call_entry(ARM, "gcs", "uav1", called=1, answered=0)
+    rows, reasons = judge_calls({"calls": [some, none, begun]})
+    assert reasons == ["rule 3 (arm): none of 2 calls of uav1 by ugv1 was answered"]
+    assert [row["satisfied"] for row in rows] == [True, False, True]
+    assert rows[0]["delay_max_s"] == 0.0041
+    assert rows[1]["delay_max_s"] is None
+
+
+def test_a_damaged_call_is_named() -> None:
+    with pytest.raises(EvalError) as caught:
+        judge_calls({"calls": [call_entry(ARM, "usv1", "uav1") | {"server": ""}]})
+    assert "run.json: calls[0].server: ''; legal: a text that is not empty" in str(caught.value)
+
+
+def test_calls_have_rows_of_their_own() -> None:
+    rows, _ = judge_calls({"calls": [call_entry(ARM, "usv1", "uav1", called=5, expired=1)]})
+    (row,) = [row for row in verdict_rows({"calls": rows}) if "usv1" in row.label]
+    assert row == Row(
+        "arm usv1 -> uav1",
+        "4 of 5 calls answered, delay 3.2 ms, at most 4.1 ms",
+        "delay at most 5 s",
+        True,
+    )
 
 
 def test_each_source_of_a_rule_is_judged_apart() -> None:

@@ -9,6 +9,7 @@ from trident_viewer.radio_topics import (
     PastRadio,
     RelayedTopic,
     aligned,
+    called_services,
     graph_of,
     radios,
     read_past_radio,
@@ -41,7 +42,8 @@ def team() -> Graph:
     ]
     types = [(topic, ODOMETRY) for topic, _ in publishers if topic.endswith("odometry")]
     types += [("/uav1/link_status", STATUS), ("/usv1/link_status", "*")]
-    return graph_of(publishers, readers, types)
+    names = ["/usv1/to/uav1/arm", "/uav1/arm", "/usv1/to/ugv1/arm", "/usv1/to/uav1"]
+    return graph_of(publishers, readers, types, [(name, ["/gazebo"]) for name in names])
 
 
 def test_radios_are_the_namespaces_with_a_status() -> None:
@@ -65,6 +67,10 @@ def test_relayed_topics_have_types_and_readers() -> None:
         ),
         RelayedTopic("/usv1/from/uav1/odometry_of_ugv1", "*", [], is_published=False),
     ]
+
+
+def test_services_by_radio_are_those_from_one_radio_to_another() -> None:
+    assert called_services(team()) == ["/usv1/to/uav1/arm"]
 
 
 def test_only_nodes_of_a_radio_that_read_another_one_read_past_it() -> None:
@@ -94,6 +100,8 @@ def test_the_text_names_everything_in_columns() -> None:
         "  /usv1/from/uav1/odometry          nav_msgs/Odometry  read by /recorder, /usv1/planner",
         "  /usv1/from/uav1/odometry_of_ugv1  *                  no readers; nothing is published: "
         "no rule for it, or no message so far",
+        "services by radio:",
+        "  /usv1/to/uav1/arm",
         "read past the radio:",
         "  /usv1/spy  reads /uav1/odometry",
     ]
@@ -103,6 +111,7 @@ def test_the_text_of_a_simulation_without_radios() -> None:
     assert topics_text(graph_of([], [("/a/b", ["/c/d"])], [])).splitlines() == [
         "radios: none",
         "relayed topics: none",
+        "services by radio: none",
         "read past the radio: nothing",
     ]
 

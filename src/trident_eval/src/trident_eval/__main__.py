@@ -21,13 +21,14 @@ from trident_eval.core.exit_codes import exit_code_of
 from trident_eval.core.faults import add_faults, read_faults
 from trident_eval.core.flight_records import Command, read_command
 from trident_eval.core.link_plots import draw_links
-from trident_eval.core.links import add_links, read_links
+from trident_eval.core.links import read_links
 from trident_eval.core.log_warnings import log_warnings
 from trident_eval.core.mission_plots import draw_missions
 from trident_eval.core.missions import judge_missions, read_missions
 from trident_eval.core.page import Report, page
 from trident_eval.core.plots import draw_all
 from trident_eval.core.provenance import Provenance, read_object, read_provenance
+from trident_eval.core.relay import add_links
 from trident_eval.core.report import table
 from trident_eval.core.scene import Scene, formation_scene
 from trident_eval.core.tracks import NoStatesError, read_states

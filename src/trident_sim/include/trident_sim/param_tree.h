@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <memory>
@@ -74,6 +75,19 @@ class PluginParams {
   bool flag(std::string_view key, bool fallback) const;
   /// Three finite numbers with white space between them. Throws Error for more, fewer or others.
   Eigen::Vector3d vector3(std::string_view key, const Eigen::Vector3d& fallback) const;
+  /// One of a few words, each with its value; `fallback` is among the values. Throws Error for
+  /// another word.
+  template <class Choice>
+  Choice choice(std::string_view key, Choice fallback,
+                const std::vector<std::pair<std::string, Choice>>& known) const {
+    std::vector<std::string> words;
+    std::size_t usual = 0;
+    for (const auto& [word, value] : known) {
+      if (value == fallback) usual = words.size();
+      words.push_back(word);
+    }
+    return known[choose(key, usual, words)].second;
+  }
   const std::string& owner() const { return owner_; }  ///< what errors begin with
   /// Names of the elements that nobody has asked for, each once.
   std::vector<std::string> unread() const;
@@ -92,6 +106,9 @@ class PluginParams {
   void note(std::string_view key, ParamQuery::Kind kind, const std::string& fallback,
             Limits limits = {}) const;
   double read_number(std::string_view key, double fallback, Limits limits) const;
+  /// Index of the word that the element has; `fallback` where it is missing.
+  std::size_t choose(std::string_view key, std::size_t fallback,
+                     const std::vector<std::string>& words) const;
 
   const ParamNode* root_;
   std::string owner_, prefix_;

@@ -49,6 +49,8 @@ PluginFactory factory_of(std::function<std::string(const PluginParams&)> rotor_j
 /// are one name.
 class PluginRegistry {
  public:
+  /// The one name of all forms of a file name: without folder, "lib" and ".so".
+  static std::string key(const std::string& filename);
   /// Throws Error when the name is taken.
   void add(const std::string& filename, PluginFactory factory);
   /// nullptr when it is not registered. Valid as long as the registry: nothing is ever removed.
@@ -66,7 +68,6 @@ class PluginRegistry {
   void load_shared_object(const std::string& path);
 
  private:
-  static std::string key(const std::string& filename);
   std::map<std::string, PluginFactory> factories_;
 };
 

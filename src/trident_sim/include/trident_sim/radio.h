@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "trident_base/sim_time.h"
-#include "trident_sim/world.h"
 
 namespace trident::sim {
 
@@ -103,51 +102,20 @@ class Radio {
   virtual std::string state_text() const = 0;
 };
 
-/// What became of the messages of a rule from one robot to another, since the world was reset.
-struct RelayCounts {
-  std::uint64_t offered = 0;     ///< that the topic had
-  std::uint64_t thinned = 0;     ///< left out for max_rate
-  std::uint64_t superseded = 0;  ///< of a reliable rule: had to go for newer ones, by depth
-  std::uint64_t expired = 0;     ///< too old, at either end or at both
-  std::uint64_t refused = 0;     ///< larger than the radio's queue, or the queue was full
-  std::uint64_t delivered = 0;   ///< whole, each once
-  std::uint64_t doubles = 0;     ///< datagrams that had arrived before
-  std::uint64_t datagrams = 0;   ///< sent, without acknowledgements
-  std::uint64_t resent = 0;      ///< of these those that were sent before
-  double delay_s = 0.0, max_delay_s = 0.0;  ///< age as it was delivered: sum, greatest
-};
-
-/// A topic that crosses from one robot to another.
-struct RelayFlow {
-  std::string rule;                 ///< "rule 2 (detections)"
-  bool is_reliable = false;         ///< of the rule
-  double deadline_s = 0.0;          ///< of the rule; 0: none
-  std::string source, destination;  ///< robots; "all": as it was sent, what arrived is by robot
-  RelayCounts counts;
-};
-
-/// What crosses between robots by rules (config/links).
-class RelayReport {
- public:
-  virtual ~RelayReport() = default;
-  /// By rule, source and destination, as far as there was anything.
-  virtual std::vector<RelayFlow> flows() const = 0;
-  /// From a robot over all hops to another one; ends where no route is known.
-  virtual std::vector<std::string> route(const std::string& source,
-                                         const std::string& destination) const = 0;
-};
+class RelayReport;
+class RelayServices;
+class World;
 
 /// How the plugin that makes a world's air for radios hands it on: on the output port kRadioPort,
 /// which is no topic. A world has one.
 struct RadioSample {
   std::shared_ptr<Radio> radio;              ///< lives as long as its plugin, or its last holder
   std::shared_ptr<const RelayReport> relay;  ///< nullptr: the world has no rules
+  std::shared_ptr<RelayServices> services;   ///< the same
 };
 constexpr const char* kRadioPort = "world/radio";  ///< name of the port that carries a RadioSample
 
 /// nullptr: the world has none.
 std::shared_ptr<Radio> find_radio(const World& world);
-/// nullptr: nothing crosses by rules.
-std::shared_ptr<const RelayReport> find_relay(const World& world);
 
 }  // namespace trident::sim

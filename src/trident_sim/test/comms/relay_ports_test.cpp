@@ -3,16 +3,10 @@
 // Topics that cross between robots of a world by the rules of a file.
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "models.h"
-#include "scratch_folder.h"
-#include "test_world.h"
-#include "trident_sim/bytes_sample.h"
-#include "trident_sim/radio.h"
+#include "relay_world.h"
 
 namespace trident::sim {
 namespace {
@@ -25,57 +19,8 @@ rules:
   - {topic: detections, from: [a], to: [b], reliability: reliable, depth: 100, deadline: 30.0}
 )";
 
-class RelayWorld {
- public:
-  explicit RelayWorld(const std::string& rules = kRules, double distance_m = 50.0,
-                      const ParamList& air = {{"path", "log_distance"}},
-                      const WorldOptions& options = {})
-      : world(spec(rules, air), options) {
-    add("a", 0.0);
-    add("b", distance_m);
-  }
-
-  void add(const std::string& name, double x) {
-    ModelSpec robot =
-        make_body(name, BoxShape{{0.2, 0.2, 0.2}}, SE3::from_xyz_rpy({x, 0.0, 1.0}, 0.0, 0.0, 0.0));
-    robot.plugins.push_back(make_plugin("radio", "libtrident_radio.so", {{"tx_power", "20"}}));
-    world.add(robot);
-  }
-  /// As a node outside would.
-  void write(const std::string& topic, const std::string& data, SimTime stamp = {}) {
-    InPort<BytesSample>* const port = world->ports().find_in<BytesSample>(topic);
-    ASSERT_NE(port, nullptr) << topic;
-    port->write({stamp, std::make_shared<const std::string>(data), {}});
-  }
-  /// Steps and appends what `topic` has.
-  void step(int steps, const std::string& topic, std::vector<std::string>* heard) {
-    const OutPort<BytesSample>* const port = world->ports().find_out<BytesSample>(topic);
-    ASSERT_NE(port, nullptr) << topic;
-    for (int i = 0; i < steps; ++i) {
-      const std::uint64_t before = port->count();
-      world->step();
-      if (port->count() == before) continue;
-      for (const BytesSample& sample : port->earlier()) heard->push_back(*sample.data);
-      heard->push_back(*port->value.data);
-    }
-  }
-
- private:
-  WorldSpec spec(const std::string& rules, ParamList air) {
-    air.emplace_back("rules", folder.write("team.yaml", rules));
-    WorldSpec result = weightless(0.01);
-    result.plugins.push_back(make_plugin("air", "libtrident_radio_medium.so", air));
-    return result;
-  }
-
-  ScratchFolder folder;
-
- public:
-  TestWorld world;
-};
-
 TEST(RelayPorts, ATopicOfOneIsHeardByTheOtherWhenTheRadioDeliversIt) {
-  RelayWorld two;
+  RelayWorld two(kRules);
   std::vector<std::string> heard;
   two.world->step(3);
   two.write("a/detections", std::string("x\0y", 3));
@@ -92,7 +37,7 @@ TEST(RelayPorts, ATopicOfOneIsHeardByTheOtherWhenTheRadioDeliversIt) {
 }
 
 TEST(RelayPorts, TheFileStandsInPlaceOfTheElements) {
-  RelayWorld two;
+  RelayWorld two(kRules);
   const RadioLink link = find_radio(*two.world)->links()[0];
   RelayWorld free("model: {path: free_space, shadowing_sigma: 0}", 50.0);
   EXPECT_NEAR(find_radio(*free.world)->links()[0].rssi_dbm - link.rssi_dbm, 10.0, 1e-9);
@@ -100,7 +45,7 @@ TEST(RelayPorts, TheFileStandsInPlaceOfTheElements) {
 }
 
 TEST(RelayPorts, AStampIsWaitedFor) {
-  RelayWorld two;
+  RelayWorld two(kRules);
   std::vector<std::string> heard;
   two.world->step(1);
   two.write("a/detections", "later", SimTime::from_seconds(0.1));
@@ -118,7 +63,7 @@ TEST(RelayPorts, AStampIsWaitedFor) {
 }
 
 TEST(RelayPorts, AfterAnOutageTheFirstIsNotOlderThanAPeriod) {
-  RelayWorld two;
+  RelayWorld two(kRules);
   auto radio = find_radio(*two.world);
   std::vector<std::string> heard;
   for (int i = 0; i < 130; ++i) {
@@ -133,7 +78,7 @@ TEST(RelayPorts, AfterAnOutageTheFirstIsNotOlderThanAPeriod) {
 }
 
 TEST(RelayPorts, ReliableOnesSurviveAnOutage) {
-  RelayWorld two;
+  RelayWorld two(kRules);
   auto radio = find_radio(*two.world);
   std::vector<std::string> heard, sent;
   for (int i = 0; i < 100; ++i) {
@@ -252,7 +197,7 @@ TEST(RelayPorts, InWhichOrderRobotsComeBeforeTheFirstStepDoesNotCount) {
 }
 
 TEST(RelayPorts, AResetForgetsWhatWaits) {
-  RelayWorld two;
+  RelayWorld two(kRules);
   std::vector<std::string> heard;
   two.write("a/detections", "0");
   two.step(5, "b/from/a/detections", &heard);
@@ -266,7 +211,7 @@ TEST(RelayPorts, AResetForgetsWhatWaits) {
 }
 
 TEST(RelayPorts, RobotsComeAndGo) {
-  RelayWorld two;
+  RelayWorld two(kRules);
   two.add("c", 20.0);
   std::vector<std::string> heard;
   two.write("c/odometry", "here");
@@ -283,7 +228,7 @@ TEST(RelayPorts, RobotsComeAndGo) {
 }
 
 TEST(RelayPorts, WhatWaitsForItsStampGoesWithItsRobot) {
-  RelayWorld two;
+  RelayWorld two(kRules);
   two.add("c", 20.0);
   two.write("c/odometry", "later", SimTime::from_seconds(0.2));
   two.world->step(2);

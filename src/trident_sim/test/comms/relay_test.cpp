@@ -326,6 +326,17 @@ TEST(RelayRules, AreRead) {
   EXPECT_FALSE(file.rules[1].is_to("anybody"));
 }
 
+TEST(RelayRules, AServiceAndATopicOfOneNameAreTwoThings) {
+  const RelayFile file = parse_relay_file(
+      "rules:\n  - {topic: x}\n  - {service: x, from: a, to: all, deadline: 3}\n", "team.yaml");
+  ASSERT_EQ(file.rules.size(), 2u);
+  EXPECT_FALSE(file.rules[0].is_service());
+  EXPECT_TRUE(file.rules[1].is_service());
+  EXPECT_TRUE(file.rules[1].is_reliable());
+  EXPECT_FALSE(file.rules[1].is_broadcast());
+  EXPECT_EQ(file.rules[1].from, (std::vector<std::string>{"a"}));
+}
+
 std::string error_of(const std::string& text) {
   try {
     parse_relay_file(text, "team.yaml");
@@ -340,13 +351,23 @@ TEST(RelayRules, WhatCannotBeIsOneErrorWithItsLine) {
       {"rules:\n  - {topic: x, reliability: sure}", "team.yaml:2"},
       {"rules:\n  - {from: all}", "topic"},
       {"rules:\n  - {topic: /x}", "without outer slashes"},
-      {"rules:\n  - {topic: from/b/x}", "heard by radio"},
+      {"rules:\n  - {topic: from/b/x}", "which a robot has by radio"},
       {"rules:\n  - {topic: x, to: [all, b]}", "names of robots, or all alone"},
       {"rules:\n  - {topic: x, to: []}", "names of robots, or all alone"},
       {"rules:\n  - {topic: x, depth: 0}", "[1, 1e+05]"},
       {"rules:\n  - {topic: x, priority: 4}", "[0, 3]"},
       {"rules:\n  - {topic: x, deadline: .nan}", "team.yaml:2"},
       {"rules:\n  - {topic: x}\n  - {topic: x, from: [a]}", "rule 1 (x) and rule 2 (x)"},
+      {"rules:\n  - {service: x}", "deadline: missing required key"},
+      {"rules:\n  - {service: x, deadline: 0}", "[0.001, 1e+06]"},
+      {"rules:\n  - {service: x, topic: y, deadline: 1}", "topic: unknown key"},
+      {"rules:\n  - {service: x, deadline: 1, max_rate: 1}", "max_rate: unknown key"},
+      {"rules:\n  - {topic: x, delay: 1}", "delay: unknown key"},
+      {"rules:\n  - {service: x, deadline: 1, delay: 1}", "delay is 1, legal: less than deadline"},
+      {"rules:\n  - {service: to/b/x, deadline: 1}", "by radio; legal: one of its own"},
+      {"rules:\n  - {service: x/, deadline: 1}", "service is 'x/', legal: a name without outer"},
+      {"rules:\n  - {service: x, deadline: 1}\n  - {service: x, deadline: 2}",
+       "rule 1 (x) and rule 2 (x) relay one service"},
       {"rule: []", "rules"},
   };
   for (const auto& [text, part] : cases) {

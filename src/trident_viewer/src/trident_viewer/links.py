@@ -44,8 +44,8 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _graph() -> Graph:
     master = rosgraph.Master("/trident_links")
-    publishers, readers, _ = master.getSystemState()
-    return graph_of(publishers, readers, master.getTopicTypes())
+    publishers, readers, services = master.getSystemState()
+    return graph_of(publishers, readers, master.getTopicTypes(), services)
 
 
 def _newest_links() -> Any:

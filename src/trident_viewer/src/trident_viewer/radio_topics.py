@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Which topics cross between robots by radio, and which are read past it: from a master's lists."""
+"""What crosses between robots by radio, and what is read past it: from a master's lists."""
 
 from __future__ import annotations
 
@@ -21,11 +21,13 @@ class Graph:
         publishers: nodes by topic.
         readers: nodes by topic.
         types: by topic.
+        services: their names.
     """
 
     publishers: Mapping[str, Sequence[str]]
     readers: Mapping[str, Sequence[str]]
     types: Mapping[str, str]
+    services: Sequence[str] = ()
 
 
 @dataclass(frozen=True)
@@ -57,6 +59,7 @@ def graph_of(
     publishers: Iterable[tuple[str, Iterable[str]]],
     readers: Iterable[tuple[str, Iterable[str]]],
     types: Iterable[tuple[str, str]],
+    services: Iterable[tuple[str, Iterable[str]]] = (),
 ) -> Graph:
     """Arrange what a master answers.
 
@@ -64,11 +67,13 @@ def graph_of(
         publishers: of getSystemState(), first list: topic and nodes.
         readers: of getSystemState(), second list.
         types: of getTopicTypes(): topic and type.
+        services: of getSystemState(), third list.
     """
     return Graph(
         {topic: sorted(nodes) for topic, nodes in publishers},
         {topic: sorted(nodes) for topic, nodes in readers},
         dict(types),
+        sorted(name for name, _ in services),
     )
 
 
@@ -99,6 +104,13 @@ def relayed_topics(graph: Graph) -> list[RelayedTopic]:
     ]
 
 
+def called_services(graph: Graph) -> list[str]:
+    """Every service /B/to/A/S of radios A and B, sorted."""
+    names = radios(graph)
+    heads = tuple(f"/{b}/to/{a}/" for b in names for a in names if a != b)
+    return [service for service in graph.services if service.startswith(heads)]
+
+
 def read_past_radio(graph: Graph) -> list[PastRadio]:
     """Subscriptions of a robot's nodes to topics of another robot with a radio, sorted by node.
 
@@ -124,11 +136,14 @@ def _robot_of(name: str, robots: Iterable[str]) -> str | None:
 
 
 def topics_text(graph: Graph) -> str:
-    """Radios, relayed topics, and what is read past the radio, as lines of text."""
+    """Radios, what crosses by rules, and what is read past the radio, as lines of text."""
     names, relayed, past = radios(graph), relayed_topics(graph), read_past_radio(graph)
     lines = [f"radios: {', '.join(names) or 'none'}"]
     lines.append(f"relayed topics:{'' if relayed else ' none'}")
     lines += aligned([_relayed_cells(one) for one in relayed])
+    services = called_services(graph)
+    lines.append(f"services by radio:{'' if services else ' none'}")
+    lines += [f"  {service}" for service in services]
     lines.append(f"read past the radio:{'' if past else ' nothing'}")
     lines += aligned([[one.node, f"reads {one.topic}"] for one in past])
     return "\n".join(lines)

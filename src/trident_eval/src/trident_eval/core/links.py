@@ -1,27 +1,21 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What radios carried during a run: `links.csv`, and `relay` of `run.json`."""
+"""What radios carried during a run: `links.csv`."""
 
 from __future__ import annotations
 
 import csv
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from trident_eval.core.errors import EvalError
-from trident_eval.core.provenance import read_object
 from trident_eval.core.tracks import Array, whole_lines
-from trident_eval.core.verdict import Verdict
 
 LINKS_FILE = "links.csv"
-#: As a destination: a broadcast as it was sent; what arrived is in the entries of its receivers.
-ALL = "all"
-_ROUNDING_S = 1e-9
 
 
 @dataclass(frozen=True)
@@ -55,57 +49,6 @@ class LinkLog:
     refused: Array
     line_of_sight: Array
     relayed: Array
-
-
-@dataclass(frozen=True)
-class RelayFlow:
-    """What became of the messages of a rule from one robot to another.
-
-    Attributes:
-        rule: its number and topic, as in "rule 2 (detections)".
-        reliable: whether messages are acknowledged and sent again.
-        deadline_s: greatest age of a message [s]; 0: any.
-        source: robot.
-        destination: robot, or ALL.
-        offered: messages that the topic had.
-        thinned: of these, left out because the rule limits their rate.
-        superseded: dropped for newer ones.
-        expired: too old, at either end.
-        refused: did not fit into the radio's queue.
-        delivered: whole, each once.
-        doubles: datagrams that had arrived before.
-        datagrams: that were sent.
-        resent: of these, those that were sent before.
-        delay_mean_s: age at the delivery [s]; 0: nothing was delivered.
-        delay_max_s: the same, the greatest.
-    """
-
-    rule: str
-    reliable: bool
-    deadline_s: float
-    source: str
-    destination: str
-    offered: int
-    thinned: int
-    superseded: int
-    expired: int
-    refused: int
-    delivered: int
-    doubles: int
-    datagrams: int
-    resent: int
-    delay_mean_s: float
-    delay_max_s: float
-
-    @property
-    def to_send(self) -> int:
-        """Messages that were to cross."""
-        return self.offered - self.thinned
-
-    @property
-    def is_late(self) -> bool:
-        """Whether a message was delivered after its deadline."""
-        return self.deadline_s > 0.0 and self.delay_max_s > self.deadline_s + _ROUNDING_S
 
 
 def _is_whole(value: float) -> bool:
@@ -192,143 +135,3 @@ def _arranged(pairs: list[tuple[str, str]], cells: Array) -> LinkLog:
     values = np.full((len(_VALUES), len(instants), len(columns)), np.nan)
     values[:, row, [columns[pair] for pair in pairs]] = cells[:, 1:].T
     return LinkLog(instants / 1e6, list(columns), **dict(zip(_VALUES, values, strict=True)))
-
-
-def read_relay(run: dict[str, Any], where: str) -> list[RelayFlow]:
-    """What crossed by rules.
-
-    Args:
-        run: run.json; may be empty.
-        where: its path, for messages.
-
-    Returns:
-        An entry for each rule, source and destination; none of a world without rules.
-
-    Raises:
-        EvalError: an entry is not what the simulator writes.
-    """
-    found = run.get("relay", [])
-    if not isinstance(found, list):
-        raise EvalError(f"{where}: relay: {found!r}; legal: a list of objects")
-    return [_flow(f"{where}: relay[{index}]", entry) for index, entry in enumerate(found)]
-
-
-def _flow(where: str, entry: Any) -> RelayFlow:
-    if not isinstance(entry, dict):
-        raise EvalError(f"{where}: {entry!r}; legal: an object")
-    values = {}
-    for field in fields(RelayFlow):
-        if field.name not in entry:
-            raise EvalError(f"{where}.{field.name}: missing; legal: {_LEGAL[str(field.type)]}")
-        value = entry[field.name]
-        if not _is_of(str(field.type), value):
-            raise EvalError(f"{where}.{field.name}: {value!r}; legal: {_LEGAL[str(field.type)]}")
-        values[field.name] = value
-    flow = RelayFlow(**values)
-    if flow.thinned > flow.offered:
-        raise EvalError(f"{where}.thinned: {flow.thinned}; legal: at most offered, {flow.offered}")
-    return flow
-
-
-_LEGAL = {
-    "str": "a text that is not empty",
-    "bool": "true or false",
-    "int": "a whole number, at least 0",
-    "float": "a number, at least 0",
-}
-
-
-def _is_of(kind: str, value: Any) -> bool:
-    if kind == "str":
-        return isinstance(value, str) and value != ""
-    if kind == "bool" or isinstance(value, bool):
-        return kind == "bool" and isinstance(value, bool)
-    if kind == "int":
-        return isinstance(value, int) and value >= 0
-    return isinstance(value, int | float) and 0.0 <= value < math.inf
-
-
-def judge_links(
-    run: dict[str, Any], where: str = "run.json"
-) -> tuple[list[dict[str, Any]], list[str]]:
-    """Judge what crossed by rules.
-
-    Args:
-        run: run.json; may be empty.
-        where: its path, for messages.
-
-    Returns:
-        A row for each rule, source and destination (a broadcast's are the robots that heard it,
-        or ALL if nothing arrived), and the reasons against the run.
-
-    Raises:
-        EvalError: `relay` is not what the simulator writes.
-    """
-    groups: dict[tuple[str, str], list[RelayFlow]] = {}
-    for flow in read_relay(run, where):
-        groups.setdefault((flow.rule, flow.source), []).append(flow)
-    rows: list[dict[str, Any]] = []
-    reasons: list[str] = []
-    for flows in groups.values():
-        found = _rows_of_source(flows)
-        rows += found
-        reasons += _reasons(flows, max(row["offered"] for row in found))
-    return rows, reasons
-
-
-def _rows_of_source(flows: list[RelayFlow]) -> list[dict[str, Any]]:
-    """Rows of one rule and source."""
-    broadcast = sum(flow.to_send for flow in flows if flow.destination == ALL)
-    has_arrived = any(flow.delivered for flow in flows)
-    rows = []
-    for flow in [flow for flow in flows if flow.destination != ALL] or flows:
-        own = 0 if flow.destination == ALL else flow.to_send
-        rows.append(_row(flow, own + broadcast, has_arrived))
-    return rows
-
-
-def _row(flow: RelayFlow, offered: int, has_arrived: bool) -> dict[str, Any]:
-    return {
-        "rule": flow.rule,
-        "source": flow.source,
-        "destination": flow.destination,
-        "reliable": flow.reliable,
-        "deadline_s": flow.deadline_s,
-        "offered": offered,
-        "delivered": flow.delivered,
-        "share": flow.delivered / offered if offered else None,
-        "delay_mean_s": flow.delay_mean_s if flow.delivered else None,
-        "delay_max_s": flow.delay_max_s if flow.delivered else None,
-        "satisfied": (has_arrived or not offered) and not flow.is_late,
-    }
-
-
-def _reasons(flows: list[RelayFlow], offered: int) -> list[str]:
-    """Against one rule and source."""
-    rule, source = flows[0].rule, flows[0].source
-    if offered and not any(flow.delivered for flow in flows):
-        count = f"{offered} message{'s' * (offered != 1)}"
-        return [f"{rule}: nothing of {count} of {source} has arrived"]
-    return [
-        f"{rule}: a message of {source} reached {flow.destination} after {flow.delay_max_s:.6g} s,"
-        f" deadline {flow.deadline_s:g} s"
-        for flow in flows
-        if flow.is_late
-    ]
-
-
-def add_links(verdict: Verdict, folder: Path) -> None:
-    """Put what crossed by rules into a verdict, as `relay`; nothing of a world without rules.
-
-    Args:
-        verdict: of the run, so far.
-        folder: of the run.
-    """
-    path = folder / "run.json"
-    try:
-        rows, reasons = judge_links(read_object(path), str(path))
-    except EvalError as error:
-        rows, reasons = [], [str(error)]
-    if rows:
-        verdict.numbers["relay"] = rows
-    verdict.reasons += reasons

@@ -22,7 +22,7 @@ _ROWS = (
 )
 _BELOW = {"formation_rms_m": "formation_rms_limit_m"}
 _MIN_LIMITS = {"min_separation_m": "min_separation_limit_m"}
-_TOPIC_OF_RULE = re.compile(r"\((.+)\)$")
+_NAME_OF_RULE = re.compile(r"\((.+)\)$")
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,8 @@ def verdict_rows(verdict: dict[str, Any]) -> list[Row]:
     shown += _not_repeatable(verdict)
     platforms: dict[str, dict[str, Any]] = verdict.get("platforms") or {}
     shown += [_platform_row(name, numbers) for name, numbers in platforms.items()]
-    return shown + [_relay_row(numbers) for numbers in verdict.get("relay") or []]
+    shown += [_relay_row(numbers) for numbers in verdict.get("relay") or []]
+    return shown + [_call_row(numbers) for numbers in verdict.get("calls") or []]
 
 
 def _not_repeatable(verdict: dict[str, Any]) -> list[Row]:
@@ -76,16 +77,27 @@ def _platform_row(name: str, numbers: dict[str, Any]) -> Row:
 
 def _relay_row(numbers: dict[str, Any]) -> Row:
     """What arrived of one robot's topic at another robot by radio."""
-    named = _TOPIC_OF_RULE.search(numbers["rule"])
-    topic = named[1] if named else numbers["rule"]
     value = f"{numbers['delivered']} of {numbers['offered']}"
-    if numbers["delivered"]:
+    return _radio_row(numbers, numbers["source"], numbers["destination"], value)
+
+
+def _call_row(numbers: dict[str, Any]) -> Row:
+    """How many calls of a robot's service by another one were answered by radio."""
+    value = f"{numbers['answered']} of {numbers['called']} calls answered"
+    return _radio_row(numbers, numbers["caller"], numbers["server"], value)
+
+
+def _radio_row(numbers: dict[str, Any], source: str, destination: str, value: str) -> Row:
+    """By a rule, with its delays, if there is any."""
+    named = _NAME_OF_RULE.search(numbers["rule"])
+    name = named[1] if named else numbers["rule"]
+    if numbers["delay_max_s"] is not None:
         mean, longest = numbers["delay_mean_s"], numbers["delay_max_s"]
         value += f", delay {_delay_text(mean)}, at most {_delay_text(longest)}"
     deadline_s, is_satisfied = numbers["deadline_s"], numbers["satisfied"]
     limit = f"delay at most {deadline_s:g} s" if deadline_s else ""
     has_limit = bool(limit) or not is_satisfied
-    label = f"{topic} {numbers['source']} -> {numbers['destination']}"
+    label = f"{name} {source} -> {destination}"
     return Row(label, value, limit, is_satisfied if has_limit else None)
 
 

@@ -9,6 +9,7 @@
 
 #include "trident_sim/radio.h"
 #include "trident_sim/radio_samples.h"
+#include "trident_sim/relay.h"
 #include "trident_sim/state_archive.h"
 
 namespace trident::sim {

@@ -11,6 +11,7 @@
 #include "comms/phy/vht.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
+#include "trident_sim/relay.h"
 
 namespace trident::sim {
 namespace {
@@ -42,6 +43,11 @@ std::shared_ptr<Radio> find_radio(const World& world) {
 std::shared_ptr<const RelayReport> find_relay(const World& world) {
   const auto* port = world.ports().find_out<RadioSample>(kRadioPort);
   return port == nullptr ? nullptr : port->value.relay;
+}
+
+std::shared_ptr<RelayServices> find_relay_services(const World& world) {
+  const auto* port = world.ports().find_out<RadioSample>(kRadioPort);
+  return port == nullptr ? nullptr : port->value.services;
 }
 
 RadioMedium::RadioMedium(World& world, const PathLossParams& params,

@@ -14,6 +14,7 @@
 #include "comms/links/radio_links.h"
 #include "comms/mac/radio_channel.h"
 #include "trident_sim/radio.h"
+#include "trident_sim/world.h"
 
 namespace trident::sim {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
 namespace trident::sim {
@@ -29,7 +30,7 @@ void RelayPorts::add_inputs(const std::vector<std::string>& robots) {
   const std::vector<RelayRule>& rules = relay_.rules();
   for (const std::string& robot : robots) {
     for (std::size_t i = 0; i < rules.size(); ++i) {
-      if (!rules[i].is_from(robot)) continue;
+      if (rules[i].is_service() || !rules[i].is_from(robot)) continue;
       const std::string name = robot + "/" + rules[i].topic;
       Input& input = inputs_[name];
       if (!input.port) {
@@ -63,6 +64,7 @@ void RelayPorts::set_robots(const std::vector<std::string>& robots) {
   if (robots == robots_) return;
   robots_ = robots;
   relay_.set_robots(robots);
+  calls_.set_robots(robots, relay_.rules());
   const auto is_gone = [&robots](const std::string& name) {
     return !std::binary_search(robots.begin(), robots.end(), name);
   };
@@ -146,7 +148,14 @@ void RelayPorts::publish(const RelayDelivery& delivery) {
 
 void RelayPorts::receive(SimTime end, Radio& radio) {
   fresh_.clear();
-  for (const RelayDelivery& delivery : relay_.receive(end, radio)) publish(delivery);
+  for (const RelayDelivery& delivery : relay_.receive(end, radio)) {
+    if (relay_.rules()[delivery.rule].is_service()) {
+      calls_.take(delivery, end, relay_.rules());
+    } else {
+      publish(delivery);
+    }
+  }
+  calls_.expire(end, relay_.rules());
   for (OutPort<BytesSample>* port : fresh_) port->publish();
   if (!has_looked_for_idle_ && end >= kIdle) report_idle_rules();
 }
@@ -176,7 +185,7 @@ void RelayPorts::report_idle_rules() {
     if (!missing.empty()) {
       report(rule.text(i) + ": there is no radio '" + join(missing, "', '") + "'" + after +
              ", radios: " + join(robots_));
-    } else if (!has_heard(i)) {
+    } else if (!rule.is_service() && !has_heard(i)) {
       report(rule.text(i) + ": no robot of " + join(rule.from) + " has sent a message on its " +
              rule.topic + after);
     }
@@ -185,6 +194,7 @@ void RelayPorts::report_idle_rules() {
 
 void RelayPorts::reset() {
   relay_.reset();
+  calls_.reset(relay_.rules());
   later_.clear();
   has_looked_for_idle_ = false;
   for (auto& [name, input] : inputs_) {
@@ -194,7 +204,7 @@ void RelayPorts::reset() {
 }
 
 void RelayPorts::state(StateArchive& archive) {
-  archive(relay_, later_, has_looked_for_idle_);
+  archive(relay_, calls_, later_, has_looked_for_idle_);
   for (auto& [name, input] : inputs_) archive(input.seen);
 }
 
@@ -202,10 +212,52 @@ std::vector<RelayFlow> RelayPorts::flows() const {
   std::vector<RelayFlow> result;
   for (const auto& [key, counts] : relay_.counts()) {
     const RelayRule& rule = relay_.rules()[key.rule];
+    if (rule.is_service()) continue;
     result.push_back({rule.text(key.rule), rule.is_reliable(), rule.deadline_s, key.source,
                       key.destination, counts});
   }
   return result;
+}
+
+std::vector<CallFlow> RelayPorts::calls() const {
+  std::vector<CallFlow> result;
+  for (const auto& [key, counts] : calls_.counts()) {
+    const RelayRule& rule = relay_.rules()[key.rule];
+    result.push_back({rule.text(key.rule), rule.deadline_s, key.source, key.destination, counts});
+  }
+  return result;
+}
+
+std::vector<RelayService> RelayPorts::services() const {
+  std::vector<RelayService> result;
+  const std::vector<RelayRule>& rules = relay_.rules();
+  for (const std::string& caller : robots_) {
+    for (const std::string& server : robots_) {
+      for (std::size_t i = 0; i < rules.size(); ++i) {
+        const RelayRule& rule = rules[i];
+        const bool is_allowed = rule.is_service() && rule.is_from(caller) && rule.is_to(server);
+        if (!is_allowed || caller == server) continue;
+        result.push_back({rule.text(i), caller, server, rule.service});
+      }
+    }
+  }
+  return result;
+}
+
+std::uint64_t RelayPorts::call(const RelayService& service,
+                               std::shared_ptr<const std::string> request) {
+  const std::vector<RelayRule>& rules = relay_.rules();
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    const RelayRule& rule = rules[i];
+    const bool is_it = rule.service == service.name && rule.is_from(service.caller) &&
+                       rule.is_to(service.server) && service.caller != service.server;
+    const bool are_there = std::binary_search(robots_.begin(), robots_.end(), service.caller) &&
+                           std::binary_search(robots_.begin(), robots_.end(), service.server);
+    if (!is_it || !are_there) continue;
+    return calls_.begin({i, service.caller, service.server}, *request, world_.time(), &relay_);
+  }
+  throw Error(file_ + ": no rule lets '" + service.caller + "' call '" + service.server + "/" +
+              service.name + "'");
 }
 
 }  // namespace trident::sim

@@ -4,21 +4,24 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "comms/relay/relay.h"
+#include "comms/relay/relay_calls.h"
 #include "trident_sim/bytes_sample.h"
+#include "trident_sim/relay.h"
 #include "trident_sim/state_archive.h"
 #include "trident_sim/world.h"
 
 namespace trident::sim {
 
 /// The topics of a relay: topic T of robot A is an input A/T, and what robot B hears of it an
-/// output B/from/A/T, both of bytes.
-class RelayPorts : public RelayReport {
+/// output B/from/A/T, both of bytes. Calls of services go through it, too.
+class RelayPorts : public RelayReport, public RelayServices {
  public:
   /// `world` must outlive it; `file` names the rules in reports.
   RelayPorts(World& world, const RelayFile& rules, std::string file);
@@ -33,10 +36,20 @@ class RelayPorts : public RelayReport {
   void state(StateArchive& archive);
 
   std::vector<RelayFlow> flows() const override;
+  std::vector<CallFlow> calls() const override;
   std::vector<std::string> route(const std::string& source,
                                  const std::string& destination) const override {
     return relay_.network().route(source, destination);
   }
+  std::vector<RelayService> services() const override;
+  std::uint64_t call(const RelayService& service,
+                     std::shared_ptr<const std::string> request) override;
+  std::vector<ServedCall> take_served() override { return calls_.take_served(); }
+  void answer(const CallResult& answer) override { calls_.answer(answer, &relay_); }
+  void abort(std::uint64_t number, const std::string& why) override {
+    calls_.abort(number, why, relay_.rules());
+  }
+  std::vector<CallResult> take_results() override { return calls_.take_results(); }
 
  private:
   struct Input {
@@ -74,6 +87,7 @@ class RelayPorts : public RelayReport {
   std::vector<OutPort<BytesSample>*> fresh_;  ///< outputs with a message of this step
   // What changes from step to step.
   Relay relay_;
+  RelayCalls calls_;
   std::vector<Later> later_;  ///< by arrival
   bool has_looked_for_idle_ = false;
 };

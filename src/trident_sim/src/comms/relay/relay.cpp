@@ -3,7 +3,6 @@
 #include "comms/relay/relay.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -36,6 +35,11 @@ void drop_flows_of_others(const std::vector<std::string>& robots, Flows* flows) 
 
 bool Relay::Key::operator<(const Key& other) const {
   return std::tie(rule, source, destination) <
+         std::tie(other.rule, other.source, other.destination);
+}
+
+bool Relay::Key::operator==(const Key& other) const {
+  return std::tie(rule, source, destination) ==
          std::tie(other.rule, other.source, other.destination);
 }
 
@@ -113,7 +117,7 @@ bool Relay::is_too_large(const std::pair<std::size_t, std::string>& key, Topic* 
                          std::size_t bytes, Radio& radio) {
   const auto& [index, source] = key;
   const RelayRule& rule = rules_[index];
-  std::size_t limit = kPartBytes * std::numeric_limits<std::uint16_t>::max();
+  std::size_t limit = kMaxBytes;
   // All parts of a message that is sent once wait in the queue; others follow as they are
   // acknowledged.
   if (!rule.is_reliable()) limit = std::min(limit, radio.limits(source).queue_bytes);
@@ -147,10 +151,26 @@ void Relay::offer(std::size_t rule_index, const std::string& source, const Relay
       send_once(key, message, number, now, radio);
       continue;
     }
-    const auto id = static_cast<std::uint16_t>(rule_index);
-    const SimTime deadline = SimTime::from_seconds(rule.deadline_s);
-    senders_.try_emplace(key, id, rule.depth, deadline).first->second.add(message, &counts);
+    sender(key).add(message, &counts);
   }
+}
+
+/// Of calls none has to go for newer ones: who waits for one would never hear of it.
+ReliableSender& Relay::sender(const Key& key) {
+  const RelayRule& rule = rules_[key.rule];
+  const int depth = rule.is_service() ? std::numeric_limits<int>::max() : rule.depth;
+  return senders_
+      .try_emplace(key, static_cast<std::uint16_t>(key.rule), depth,
+                   SimTime::from_seconds(rule.deadline_s))
+      .first->second;
+}
+
+bool Relay::post(const Key& key, std::string data, SimTime born) {
+  if (data.size() > kMaxBytes) return false;
+  RelayCounts& counts = counts_[key];
+  ++counts.offered;
+  sender(key).add({born, std::make_shared<const std::string>(std::move(data))}, &counts);
+  return true;
 }
 
 void Relay::send_once(const Key& key, const RelayMessage& message, std::uint64_t number,
@@ -219,12 +239,18 @@ void Relay::take_part(const Key& key, const PartDatagram& part, SimTime now,
   }
 }
 
+/// Of a service both ends hear the other one.
+bool Relay::is_for(const PartDatagram& part, const std::string& receiver) const {
+  if (part.rule >= rules_.size()) return false;
+  const RelayRule& rule = rules_[part.rule];
+  return rule.is_to(receiver) || (rule.is_service() && rule.is_from(receiver));
+}
+
 /// What is no datagram of ours came from somebody who uses the port for other things.
 void Relay::take(const std::string& receiver, const RadioMessage& packet,
                  std::vector<RelayDelivery>* deliveries) {
   if (const auto part = decode_part(packet.data)) {
-    const bool is_for_it = part->rule < rules_.size() && rules_[part->rule].is_to(receiver);
-    if (!is_for_it) return;
+    if (!is_for(*part, receiver)) return;
     take_part({part->rule, packet.source, receiver}, *part, packet.received, deliveries);
   } else if (const auto ack = decode_ack(packet.data)) {
     const auto flow = senders_.find({ack->rule, receiver, packet.source});

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "comms/relay/relay_rules.h"
 #include "comms/relay/reliable_flow.h"
 #include "trident_sim/radio.h"
+#include "trident_sim/relay.h"
 
 namespace trident::sim {
 
@@ -31,6 +33,15 @@ struct RelayDelivery {
 class Relay {
  public:
   using Report = std::function<void(const std::string&)>;
+  /// Rule, source and destination ("all": by broadcast, as sent).
+  struct Key {
+    std::size_t rule;
+    std::string source, destination;
+    bool operator<(const Key& other) const;
+    bool operator==(const Key& other) const;
+  };
+  /// Of a message of a reliable rule.
+  static constexpr std::size_t kMaxBytes = kPartBytes * std::numeric_limits<std::uint16_t>::max();
 
   /// `report`: takes what a user should know.
   Relay(std::vector<RelayRule> rules, Report report, bool has_routing = false);
@@ -42,16 +53,13 @@ class Relay {
   /// A message of a robot's topic that counts now.
   void offer(std::size_t rule, const std::string& source, const RelayMessage& message, SimTime now,
              Radio& radio);
+  /// A message of a service's rule, from robot to robot. False: it has more than kMaxBytes.
+  bool post(const Key& key, std::string data, SimTime born);
   /// Gives the radios what reliable flows have to send.
   void send(SimTime now, Radio& radio);
   /// Takes what the radios have received, acknowledges, and returns what is whole, by time.
   std::vector<RelayDelivery> receive(SimTime now, Radio& radio);
-  /// By rule, source and destination ("all": by broadcast, as sent).
-  struct Key {
-    std::size_t rule;
-    std::string source, destination;
-    bool operator<(const Key& other) const;
-  };
+  /// Of both kinds of rules.
   const std::map<Key, RelayCounts>& counts() const { return counts_; }
   void reset();
 
@@ -70,9 +78,11 @@ class Relay {
                   SimTime now, Radio& radio);
   bool is_too_large(const std::pair<std::size_t, std::string>& key, Topic* topic, std::size_t bytes,
                     Radio& radio);
+  ReliableSender& sender(const Key& key);
   std::vector<std::string> destinations(const RelayRule& rule, const std::string& source) const;
   void send_once(const Key& key, const RelayMessage& message, std::uint64_t number, SimTime now,
                  Radio& radio);
+  bool is_for(const PartDatagram& part, const std::string& receiver) const;
   void take(const std::string& receiver, const RadioMessage& packet,
             std::vector<RelayDelivery>* deliveries);
   void take_part(const Key& key, const PartDatagram& part, SimTime now,

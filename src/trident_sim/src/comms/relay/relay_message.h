@@ -6,7 +6,7 @@
 #include <string>
 
 #include "trident_base/sim_time.h"
-#include "trident_sim/radio.h"
+#include "trident_sim/relay.h"
 
 namespace trident::sim {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "trident_base/error.h"
+#include "trident_base/string_util.h"
 
 namespace trident::sim {
 namespace {
@@ -56,19 +57,24 @@ bool RelayRule::includes(const std::vector<std::string>& names, const std::strin
 }
 
 std::string RelayRule::text(std::size_t index) const {
-  return "rule " + std::to_string(index + 1) + " (" + topic + ")";
+  return "rule " + std::to_string(index + 1) + " (" + name() + ")";
 }
 
 void RelayRule::validate() const {
   check_names("from", from);
   check_names("to", to);
-  if (topic.empty() || topic.front() == '/' || topic.back() == '/') {
-    throw Error("topic is '" + topic + "', legal: a name without outer slashes");
+  const std::string what = is_service() ? "service" : "topic";
+  if (name().empty() || name().front() == '/' || name().back() == '/') {
+    throw Error(what + " is '" + name() + "', legal: a name without outer slashes");
   }
   // A to B to A would never come to its end.
-  if (topic.compare(0, 5, "from/") == 0) {
-    throw Error("topic is '" + topic +
-                "', which a robot has heard by radio; legal: one of its own");
+  const std::string by_radio = is_service() ? "to/" : "from/";
+  if (starts_with(name(), by_radio)) {
+    throw Error(what + " is '" + name() + "', which a robot has by radio; legal: one of its own");
+  }
+  if (is_service() && delay_s >= deadline_s) {
+    throw Error("delay is " + number_text(delay_s) + ", legal: less than deadline, " +
+                number_text(deadline_s));
   }
 }
 
@@ -76,9 +82,11 @@ void RelayFile::validate() const {
   for (std::size_t i = 0; i < rules.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const RelayRule &a = rules[j], &b = rules[i];
-      if (a.topic != b.topic || !overlap(a.from, b.from) || !overlap(a.to, b.to)) continue;
-      throw Error(a.text(j) + " and " + b.text(i) +
-                  " relay one topic between the same robots, legal: one rule");
+      const bool is_one = a.topic == b.topic && a.service == b.service;
+      if (!is_one || !overlap(a.from, b.from) || !overlap(a.to, b.to)) continue;
+      throw Error(a.text(j) + " and " + b.text(i) + " relay one " +
+                  (a.is_service() ? "service" : "topic") +
+                  " between the same robots, legal: one rule");
     }
   }
 }

@@ -157,6 +157,14 @@ bool PluginParams::flag(std::string_view key, bool fallback) const {
   refuse(key, *text, "true or false");
 }
 
+std::size_t PluginParams::choose(std::string_view key, std::size_t fallback,
+                                 const std::vector<std::string>& words) const {
+  const std::string word = text(key, words[fallback]);
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end()) refuse(key, word, join(words, " or "));
+  return static_cast<std::size_t>(found - words.begin());
+}
+
 /// Word by word, so that a fourth number is an error and not ignored.
 Eigen::Vector3d PluginParams::vector3(std::string_view key, const Eigen::Vector3d& fallback) const {
   note(key, ParamQuery::Kind::kVector,
