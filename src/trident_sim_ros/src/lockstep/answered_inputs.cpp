@@ -126,9 +126,12 @@ void AnsweredInputs::check_timeouts(SimTime time) {
   losses_.clear();
   for (Driver& driver : drivers_) {
     if (driver.waiting.since == 0) continue;
+    const auto nodes = [&driver] {
+      return std::vector<std::string>(driver.nodes.begin(), driver.nodes.end());
+    };
     driver.is_lost = losses_.gives_up(
         {"the driver of " + driver.name, "has not answered /" + driver.options.state,
-         has_lost_node(driver), 1.0, time},
+         has_lost_node(driver), 1.0, time, nodes},
         driver.waiting, now);
   }
 }

@@ -11,6 +11,7 @@ namespace {
 /// A broken connection counts after this time without an answer, which may have been in flight.
 constexpr WallTime kDisconnectedAfter = 20'000'000;
 constexpr double kReportedAfter_s = 1.0;
+constexpr double kEndlessPatience = 10.0;  ///< in timeouts
 
 double seconds(WallTime time) { return static_cast<double>(time) * 1e-9; }
 
@@ -52,14 +53,17 @@ bool LossWatch::gives_up(const Silence& silence, Waiting& waiting, WallTime now)
   note_wait(silence, waiting, now);
   const bool is_gone = silence.is_gone && waited > kDisconnectedAfter;
   const bool is_silent = seconds(waited) >= silence.patience * rules_.timeout_s;
+  if (seconds(waited) >= rules_.timeout_s) stuck_(silence);
   if (!is_gone && !is_silent) return false;
   const std::string why =
       is_gone ? "has disconnected" : silence.what + " for " + seconds_text(seconds(waited));
-  if (rules_.policy == LossPolicy::kWait) {
+  const bool is_endless =
+      silence.may_wait_for_the_world && seconds(waited) >= kEndlessPatience * rules_.timeout_s;
+  if (rules_.policy == LossPolicy::kWait && !is_endless) {
     wait_on(silence, waiting, now, why);
     return false;
   }
-  report_silence(silence, why);
+  report_silence(silence, why, is_endless);
   if (rules_.policy == LossPolicy::kPause) pause_();
   repeatability_.spoil(silence.who, silence.time, is_gone ? why : silence.what + " in time");
   waiting.end();
@@ -70,15 +74,16 @@ void LossWatch::wait_on(const Silence& silence, Waiting& waiting, WallTime now,
                         const std::string& why) {
   const bool is_gone = waiting.gone_since != 0;
   bool& is_reported = is_gone ? waiting.is_reported_gone : waiting.is_reported;
-  if (!is_reported) report_silence(silence, why);
+  if (!is_reported) report_silence(silence, why, false);
   is_reported = true;
   if (!is_gone || seconds(now - waiting.gone_since) < rules_.restart_patience_s) return;
   fail_(silence.who + " has died at t = " + seconds_text(silence.time.seconds()) +
         ", and has not come back for " + seconds_text(rules_.restart_patience_s));
 }
 
-void LossWatch::report_silence(const Silence& silence, const std::string& why) {
-  const char* what = rules_.policy == LossPolicy::kWait    ? "the world waits"
+void LossWatch::report_silence(const Silence& silence, const std::string& why, bool is_endless) {
+  const bool waits = rules_.policy == LossPolicy::kWait && !is_endless;
+  const char* what = waits                                 ? "the world waits"
                      : rules_.policy == LossPolicy::kPause ? "the world is paused"
                                                            : "the world continues without it";
   report_(Severity::kWarning, silence.who + " " + why + "; " + what);

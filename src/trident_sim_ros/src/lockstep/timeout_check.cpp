@@ -66,8 +66,10 @@ void TimeoutCheck::check_vehicle(VehicleLink& vehicle, WallTime now) {
     losses_.repeatability().spoil(who, time, "was started again");
   }
   vehicle.waiting.since = now - waited;
-  const bool gives_up = losses_.gives_up(
-      {who, "has not answered", vehicle.has_lost_controller(), 1.0, time}, vehicle.waiting, now);
+  const bool gives_up =
+      losses_.gives_up({who, "has not answered", vehicle.has_lost_controller(), 1.0, time,
+                        [&vehicle] { return vehicle.command_writers(); }},
+                       vehicle.waiting, now);
   if (gives_up) vehicle.release();
 }
 
@@ -87,9 +89,10 @@ void TimeoutCheck::check_source(SimTime time, WallTime now) {
   }
   const bool is_gone = probe_.look(node) == NodeProbe::State::kGone;
   const std::string who = "set-point source " + node;
+  const auto own_name = [&node] { return std::vector<std::string>{node}; };
   const std::string what = "has sent nothing for " + join(hub_.sources.missing(node, time)) +
                            " at t = " + seconds_text(time.seconds());
-  if (losses_.gives_up({who, what, is_gone, kSourcePatience, time}, waiting, now)) {
+  if (losses_.gives_up({who, what, is_gone, kSourcePatience, time, own_name}, waiting, now)) {
     hub_.sources.release(node);
   }
 }

@@ -118,7 +118,9 @@ class VehicleLink {
   std::uint32_t odometry_readers() const;
   /// Who gave commands reads the odometry no more.
   bool has_lost_controller() const TRIDENT_REQUIRES(hub_.mutex);
-  /// Those that send its commands.
+  /// The nodes that publish motor speeds to this vehicle.
+  std::vector<std::string> command_writers() const;
+  /// Their processes.
   std::vector<pid_t> controller_processes() const { return commands_->processes(); }
   void clear() TRIDENT_REQUIRES(hub_.mutex);
   /// Announces to readers of the odometry that time is back at zero: a state at rest, stamped zero.
@@ -148,8 +150,6 @@ class VehicleLink {
   void note_enrollment(SimTime stamp) TRIDENT_REQUIRES(hub_.mutex);
   void learn_controllers() TRIDENT_REQUIRES(hub_.mutex);
   void send_in_flight(int after, WallTime now) TRIDENT_REQUIRES(hub_.mutex);
-  /// The nodes that publish motor speeds to this vehicle.
-  std::vector<std::string> command_writers() const;
   bool has_unproven_controller() const TRIDENT_REQUIRES(hub_.mutex);
   std::vector<ros_utils::TopicPeer> all_odometry_readers() const;
 

@@ -10,6 +10,7 @@
 
 #include "trident_base/error.h"
 #include "trident_sim/radio.h"
+#include "trident_sim/relay.h"
 
 namespace trident::sim {
 namespace {
@@ -73,29 +74,52 @@ std::map<std::pair<std::string, std::string>, unsigned long long> relayed_messag
   return result;
 }
 
-/// What has crossed by rules; nothing in a world without rules.
-void write_relay(std::FILE* file, const World& world) {
-  const auto relay = find_relay(world);
-  if (relay == nullptr) return;
+/// Of a sum over so many.
+void write_mean(std::FILE* file, double sum, std::uint64_t count) {
+  std::fprintf(file, ", \"delay_mean_s\": %.9g",
+               count > 0 ? sum / static_cast<double>(count) : 0.0);
+}
+
+/// Counts with their names, and the end of the object.
+template <class Counts>
+void write_counts(std::FILE* file, const Counts& counts) {
+  counts.visit([file](const char* name, std::uint64_t count) {
+    std::fprintf(file, ", \"%s\": %llu", name, static_cast<unsigned long long>(count));
+  });
+  std::fputs("}", file);
+}
+
+/// What has crossed by rules.
+void write_relay(std::FILE* file, const RelayReport& relay) {
   std::fputs(", \"relay\": [", file);
   const char* separator = "";
-  for (const RelayFlow& flow : relay->flows()) {
-    const RelayCounts& n = flow.counts;
-    const double mean_s = n.delivered > 0 ? n.delay_s / static_cast<double>(n.delivered) : 0.0;
+  for (const RelayFlow& flow : relay.flows()) {
     std::fprintf(file,
                  "%s{\"rule\": \"%s\", \"reliable\": %s, \"deadline_s\": %.9g, \"source\": \"%s\", "
-                 "\"destination\": \"%s\", \"delay_mean_s\": %.9g, \"delay_max_s\": %.9g",
+                 "\"destination\": \"%s\", \"delay_max_s\": %.9g",
                  separator, json_escaped(flow.rule).c_str(), flow.is_reliable ? "true" : "false",
                  flow.deadline_s, json_escaped(flow.source).c_str(),
-                 json_escaped(flow.destination).c_str(), mean_s, n.max_delay_s);
-    const std::pair<const char*, std::uint64_t> counts[] = {
-        {"offered", n.offered}, {"thinned", n.thinned},     {"superseded", n.superseded},
-        {"expired", n.expired}, {"refused", n.refused},     {"delivered", n.delivered},
-        {"doubles", n.doubles}, {"datagrams", n.datagrams}, {"resent", n.resent}};
-    for (const auto& [name, count] : counts) {
-      std::fprintf(file, ", \"%s\": %llu", name, static_cast<unsigned long long>(count));
-    }
-    std::fputs("}", file);
+                 json_escaped(flow.destination).c_str(), flow.counts.max_delay_s);
+    write_mean(file, flow.counts.delay_s, flow.counts.delivered);
+    write_counts(file, flow.counts);
+    separator = ", ";
+  }
+  std::fputs("]", file);
+}
+
+/// What robots have called by radio.
+void write_calls(std::FILE* file, const RelayReport& relay) {
+  std::fputs(", \"calls\": [", file);
+  const char* separator = "";
+  for (const CallFlow& flow : relay.calls()) {
+    std::fprintf(file,
+                 "%s{\"rule\": \"%s\", \"deadline_s\": %.9g, \"caller\": \"%s\", "
+                 "\"server\": \"%s\", \"delay_max_s\": %.9g",
+                 separator, json_escaped(flow.rule).c_str(), flow.deadline_s,
+                 json_escaped(flow.caller).c_str(), json_escaped(flow.server).c_str(),
+                 flow.counts.max_delay_s);
+    write_mean(file, flow.counts.delay_s, flow.counts.answered);
+    write_counts(file, flow.counts);
     separator = ", ";
   }
   std::fputs("]", file);
@@ -206,7 +230,10 @@ void RunFiles::finish(const World& world, const End& end, const Repeatability& r
                world.odd_elements().size(), json_escaped(world.name()).c_str());
   if (!end.error.empty())
     std::fprintf(file, ", \"error\": \"%s\"", json_escaped(end.error).c_str());
-  write_relay(file, world);
+  if (const auto relay = find_relay(world)) {
+    write_relay(file, *relay);
+    write_calls(file, *relay);
+  }
   write_notes(file, repeatability);
   std::fputs("}\n", file);
   std::fclose(file);

@@ -20,6 +20,7 @@ using gazebo_msgs::GetPhysicsProperties;
 using gazebo_msgs::SetPhysicsProperties;
 using trident_msgs::EnrollSource;
 using trident_msgs::Step;
+using StepEvent = ros::ServiceEvent<Step::Request, Step::Response>;
 
 void get_physics(Simulation& simulation, GetPhysicsProperties::Response& response) {
   Simulation::Access access(simulation);
@@ -62,10 +63,12 @@ void set_physics(Simulation& simulation, const SetPhysicsProperties::Request& re
   simulation.set_max_update_rate_hz(request.max_update_rate);
 }
 
-void step(Simulation& simulation, const Step::Request& request, Step::Response& response) {
+void step(Simulation& simulation, const StepEvent& event) {
+  const Step::Request& request = event.getRequest();
+  Step::Response& response = event.getResponse();
   try {
     if (request.n == 0) throw Error("n is 0, must be >= 1");
-    response.sim_time = to_ros(simulation.step(request.n));
+    response.sim_time = to_ros(simulation.step(request.n, event.getCallerName()));
     response.success = true;
   } catch (const Error& error) {
     response.message = std::string("Step: ") + error.what();
@@ -145,11 +148,12 @@ void advertise_run_services(ros::NodeHandle& node, Simulation& simulation, Serve
               response.status_message = "physics engine updated";
             });
           }));
-  servers.push_back(node.advertiseService<Step::Request, Step::Response>(
-      "step", [&](Step::Request& request, Step::Response& response) {
-        step(simulation, request, response);
-        return true;
-      }));
+  ros::AdvertiseServiceOptions stepping;
+  stepping.initBySpecType<StepEvent>("step", [&simulation](const StepEvent& event) {
+    step(simulation, event);
+    return true;
+  });
+  servers.push_back(node.advertiseService(stepping));
   servers.push_back(node.advertiseService<EnrollSource::Request, EnrollSource::Response>(
       "enroll_source", [&](EnrollSource::Request& request, EnrollSource::Response& response) {
         enroll(simulation, request, response);

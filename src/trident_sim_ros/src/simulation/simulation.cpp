@@ -5,12 +5,11 @@
 #include <std_msgs/Bool.h>
 
 #include <algorithm>
-#include <sstream>
 #include <thread>
 
 #include "conversions/conversions.h"
+#include "radio_rules.h"
 #include "trident_base/error.h"
-#include "trident_sim/radio.h"
 
 namespace trident::sim {
 namespace {
@@ -24,34 +23,6 @@ constexpr auto kScanPeriod = milliseconds(2);
 constexpr double kEveryStepFactor = 2.0;
 /// A delay longer than this is not caught up with in a burst.
 constexpr double kGivenUpDelay_s = 0.25;
-
-/// A world that has no air for radios gets it from the file.
-void use_radio_rules(const std::string& file, WorldSpec* spec) {
-  constexpr const char* kMedium = "libtrident_radio_medium.so";
-  const auto medium =
-      std::find_if(spec->plugins.begin(), spec->plugins.end(),
-                   [](const PluginSpec& plugin) { return plugin.filename == kMedium; });
-  PluginSpec& air = medium != spec->plugins.end()
-                        ? *medium
-                        : spec->plugins.emplace_back(PluginSpec{"radio_medium", kMedium, {}});
-  auto& elements = air.params.children;
-  elements.erase(std::remove_if(elements.begin(), elements.end(),
-                                [](const ParamNode& node) { return node.name == "rules"; }),
-                 elements.end());
-  elements.push_back({"rules", file, {}, {}});
-}
-
-void add_relay_notes(const RelayReport& relay, DiagnosticsTopic::Notes* notes) {
-  for (const RelayFlow& flow : relay.flows()) {
-    const RelayCounts& counts = flow.counts;
-    std::ostringstream text;
-    text << "offered " << counts.offered << ", delivered " << counts.delivered << ", expired "
-         << counts.expired << ", superseded " << counts.superseded << ", refused " << counts.refused
-         << ", left out for max_rate " << counts.thinned << ", sent again " << counts.resent;
-    notes->emplace_back("radio: " + flow.rule + ": " + flow.source + " to " + flow.destination,
-                        text.str());
-  }
-}
 
 /// The parameter tf_prefix of a namespace or the next one above that has it.
 std::string find_tf_prefix(const std::string& robot_namespace) {
@@ -101,10 +72,12 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   choose_policy();
   losses_ = std::make_unique<LossWatch>(
       rules_, repeatability_, report, [this]() TRIDENT_REQUIRES(mutex_) { paused_ = true; },
-      [this](const std::string& error) TRIDENT_REQUIRES(mutex_) { fail(error); });
+      [this](const std::string& error) TRIDENT_REQUIRES(mutex_) { fail(error); },
+      [this](const LossWatch::Silence& silence) TRIDENT_REQUIRES(mutex_) { end_stuck(silence); });
   gate_ = std::make_unique<LockstepGate>(node_, options_, *losses_, probe_);
   answers_ = std::make_unique<AnsweredInputs>(options_, world_->ports(), *binder_, *inputs_,
                                               *losses_, probe_, report);
+  calls_ = std::make_unique<RadioCalls>(node_, *world_, *losses_, report);
   sync_topics();
   topics_->publish_clock(world_->time());
   for (const std::string& warning : options.warnings) this->report(Severity::kWarning, warning);
@@ -152,6 +125,7 @@ void Simulation::sync_topics() {
   relay_->sync();
   gate_->sync(*world_, *binder_);
   answers_->sync();
+  calls_->sync();
   binder_->scan_subscribers();
 }
 
@@ -168,6 +142,7 @@ std::string Simulation::run() {
   const Lock lock(mutex_);
   ended_ = true;
   stepped_.notify_all();
+  calls_->end("the run has ended");
   if (end_reason_.empty()) {
     end_reason_ = "interrupted";
     if (repeatability_.running() && is_flowing_) {
@@ -199,7 +174,7 @@ bool Simulation::run_once() {
   is_flowing_ = true;
   if (!stepping && !pace_allows()) return true;
   is_flowing_ = false;  // until the step: who waits at the end of the run stands
-  if (!answers_allow_step()) return true;
+  if (!answers_allow_step() || !calls_allow_step()) return true;
   const auto publish_clock = [this]() TRIDENT_REQUIRES(mutex_) {
     topics_->publish_clock(world_->time());
   };
@@ -249,6 +224,24 @@ bool Simulation::answers_allow_step() {
   }
   answers_->check_timeouts(world_->time());
   return false;  // the world may have changed meanwhile
+}
+
+bool Simulation::calls_allow_step() {
+  if (calls_->allows_step(world_->time())) return true;
+  RadioCalls& calls = *calls_;
+  {
+    const Unlock unlocked(mutex_);
+    calls.wait();
+  }
+  calls_->check_timeouts(world_->time());
+  return false;  // the world may have changed meanwhile
+}
+
+/// One whom the world waits for may wait for a call by radio, which takes simulated time.
+void Simulation::end_stuck(const LossWatch::Silence& silence) {
+  if (!silence.nodes || calls_ == nullptr) return;
+  calls_->abort_calls_of(silence.nodes(),
+                         "the world waits for " + silence.who + ", which " + silence.what);
 }
 
 /// Several conditions may hold at once; the last one checked names the end.
@@ -305,6 +298,7 @@ void Simulation::make_step() {
   binder_->scan_subscribers();
   inputs_->deliver(world_->time());
   answers_->deliver(world_->time());
+  calls_->deliver(world_->time());
   world_->step();
   relay_->take_outputs();
   answers_->look_for_samples(world_->time());
@@ -314,6 +308,7 @@ void Simulation::make_step() {
   binder_->publish_fresh(PortRank::kTransform, PortRank::kOdometry, every_step);
   gate_->send_states(world_->time());
   binder_->publish_fresh(PortRank::kState, PortRank::kSensor, every_step);
+  calls_->take();
   files_->record(*world_);
 }
 
@@ -325,6 +320,7 @@ void Simulation::run_housekeeping() {
   binder_->scan_subscribers();
   topics_->scan(*world_);
   relay_->look_for_types();
+  calls_->look_for_types();
   topics_->catch_up_clock(world_->time());
   performance_.publish(*world_);
   if (!is_ready_) announce_readiness();
@@ -376,6 +372,9 @@ void Simulation::publish_diagnostics() {
                        in_lockstep ? "in lockstep" : "free-running or absent");
   }
   if (const auto relay = find_relay(*world_)) add_relay_notes(*relay, &notes);
+  if (const std::string calls = calls_->describe(); !calls.empty()) {
+    notes.emplace_back("radio: calls of services", calls);
+  }
   diagnostics_.publish(*world_, notes);
 }
 
@@ -392,6 +391,7 @@ void Simulation::reset(bool with_time) {
   gate_->clear(with_time);
   inputs_->clear();
   answers_->clear();
+  if (with_time) calls_->clear();
   restart_pace();
   topics_->restart();
   topics_->publish_clock(world_->time());
@@ -408,9 +408,13 @@ void Simulation::set_max_update_rate_hz(double rate) {
 }
 
 /// Called by a service thread, which waits for the stepping thread: only that one steps the world.
-SimTime Simulation::step(std::uint64_t n) {
+SimTime Simulation::step(std::uint64_t n, const std::string& node) {
   const Lock lock(mutex_);
   if (ended_) throw Error("the run has ended");
+  if (calls_->waits_for(node)) {
+    throw Error("the world waits for " + node +
+                " to answer a call by radio, legal: steps after that");
+  }
   if (steps_wanted_ > 0) throw Error("another /gazebo/step call is in progress");
   steps_wanted_ = n;
   wait_until(stepped_, mutex_,

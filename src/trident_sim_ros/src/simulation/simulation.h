@@ -16,6 +16,7 @@
 #include "lockstep/lockstep_gate.h"
 #include "lockstep/loss_watch.h"
 #include "lockstep/node_probe.h"
+#include "lockstep/radio_calls.h"
 #include "run/repeatability.h"
 #include "run/run_files.h"
 #include "run/server_options.h"
@@ -99,9 +100,9 @@ class Simulation {
     gate_->release_source(node);
   }
 
-  /// Makes n steps and returns when they are done and published; throws Error when the run ends
-  /// first or another call is in progress. Without Access.
-  SimTime step(std::uint64_t n);
+  /// Makes n steps for a node and returns when they are done and published; throws Error when the
+  /// run ends first, another call is in progress, or the world waits for that node. Without Access.
+  SimTime step(std::uint64_t n, const std::string& node);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -117,6 +118,8 @@ class Simulation {
   bool start_allowed() TRIDENT_REQUIRES(mutex_);
   std::string missing_for_start() TRIDENT_REQUIRES(mutex_);
   bool answers_allow_step() TRIDENT_REQUIRES(mutex_);
+  bool calls_allow_step() TRIDENT_REQUIRES(mutex_);
+  void end_stuck(const LossWatch::Silence& silence) TRIDENT_REQUIRES(mutex_);
   bool finished() TRIDENT_REQUIRES(mutex_);
   void restart_pace() TRIDENT_REQUIRES(mutex_);
   bool pace_allows() TRIDENT_REQUIRES(mutex_);
@@ -160,6 +163,7 @@ class Simulation {
   std::unique_ptr<LossWatch> losses_ TRIDENT_PT_GUARDED_BY(mutex_);
   std::unique_ptr<LockstepGate> gate_ TRIDENT_PT_GUARDED_BY(mutex_);
   std::unique_ptr<AnsweredInputs> answers_ TRIDENT_PT_GUARDED_BY(mutex_);
+  std::unique_ptr<RadioCalls> calls_ TRIDENT_PT_GUARDED_BY(mutex_);
 
   bool paused_ TRIDENT_GUARDED_BY(mutex_) = false;
   bool is_flowing_ TRIDENT_GUARDED_BY(mutex_) = false;  ///< no step is being waited for

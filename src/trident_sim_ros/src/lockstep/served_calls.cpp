@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "served_calls.h"
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "trident_base/error.h"
+#include "trident_base/mutex.h"
+#include "trident_ros/raw_service.h"
+#include "trident_ros/schedule_fuzz.h"
+
+namespace trident::sim {
+
+/// One call of a server, on a thread of its own.
+class ServedCalls::Attempt {
+ public:
+  Attempt(const ServedCall& call, const ros_utils::ServiceType& type,
+          std::shared_ptr<MessageBell> bell)
+      : client_(name_at_server(call.service)), bell_(std::move(bell)) {
+    thread_ = std::thread(
+        [this, number = call.number, request = call.request,
+         md5sum = type.md5sum.empty() ? "*" : type.md5sum] { run(number, md5sum, *request); });
+  }
+  ~Attempt() {
+    client_.cancel();
+    thread_.join();
+  }
+  Attempt(const Attempt&) = delete;
+  Attempt& operator=(const Attempt&) = delete;
+
+  /// nullopt: the server has not answered yet.
+  std::optional<CallResult> result() const {
+    const Lock lock(mutex_);
+    return result_;
+  }
+
+ private:
+  void run(std::uint64_t number, const std::string& md5sum, const std::string& request) {
+    CallResult result{number, false, nullptr};
+    try {
+      ros_utils::hand_over("call handed to its server");
+      result.data = std::make_shared<const std::string>(client_.call(md5sum, request));
+      result.is_answered = true;
+    } catch (const std::exception& error) {
+      result.data = std::make_shared<const std::string>(error.what());
+    }
+    {
+      const Lock lock(mutex_);
+      result_ = std::move(result);
+    }
+    bell_->ring();
+  }
+
+  ros_utils::RawServiceClient client_;
+  std::shared_ptr<MessageBell> bell_;
+  mutable Mutex mutex_;
+  std::optional<CallResult> result_ TRIDENT_GUARDED_BY(mutex_);
+  std::thread thread_;
+};
+
+ServedCalls::ServedCalls(ServiceTypes& types, std::shared_ptr<MessageBell> bell, LossWatch& losses)
+    : types_(types), bell_(std::move(bell)), losses_(losses) {}
+
+ServedCalls::~ServedCalls() = default;
+
+void ServedCalls::begin(const ServedCall& call) {
+  const ros_utils::ServiceType type = types_.look(name_at_server(call.service));
+  Served served;
+  served.call = call;
+  served.node = type.node;
+  served.attempt = std::make_shared<Attempt>(call, type, bell_);
+  served_.push_back(std::move(served));
+}
+
+bool ServedCalls::is_awaited(const Served& served, SimTime now) {
+  return served.call.due <= now && !served.is_lost && !served.attempt->result();
+}
+
+bool ServedCalls::allows_step(SimTime now,
+                              const std::function<bool(const std::string&)>& is_calling) {
+  bool allowed = true;
+  for (Served& served : served_) {
+    const bool is_late = is_awaited(served, now);
+    const bool is_passed = is_late && is_calling(served.node);
+    served.was_passed = served.was_passed || is_passed;
+    if (!is_late || is_passed) {
+      served.waiting.end();
+      continue;
+    }
+    if (served.waiting.since == 0) served.waiting.since = wall_now();
+    allowed = false;
+  }
+  return allowed;
+}
+
+void ServedCalls::check_timeouts(SimTime now) {
+  losses_.clear();
+  for (Served& served : served_) {
+    if (served.waiting.since == 0) continue;
+    LossWatch::Silence silence;
+    silence.who = "the server of " + name_at_server(served.call.service);
+    silence.what = "has not answered a call of " + served.call.service.caller +
+                   " (one that needs simulated time has a delay in its rule)";
+    silence.may_wait_for_the_world = true;
+    silence.time = now;
+    served.is_lost = losses_.gives_up(silence, served.waiting, wall_now());
+  }
+}
+
+void ServedCalls::deliver(SimTime now, RelayServices& relay,
+                          const std::function<bool(const std::string&)>& is_calling) {
+  const auto hand_over = [&](const Served& served) {
+    const std::optional<CallResult> result =
+        served.call.due <= now ? served.attempt->result() : std::nullopt;
+    if (!result) return false;
+    if (served.was_passed && is_calling(served.node)) {
+      losses_.repeatability().spoil(served.node, now,
+                                    "answers a call by radio while it makes one itself");
+    }
+    if (!result->is_answered) types_.ask_again(name_at_server(served.call.service));
+    relay.answer(*result);
+    return true;
+  };
+  served_.erase(std::remove_if(served_.begin(), served_.end(), hand_over), served_.end());
+}
+
+bool ServedCalls::waits_for(const std::string& node, SimTime now) const {
+  return std::any_of(served_.begin(), served_.end(), [&](const Served& served) {
+    return served.node == node && is_awaited(served, now);
+  });
+}
+
+void ServedCalls::forget(std::uint64_t number) {
+  const auto is_it = [number](const Served& served) { return served.call.number == number; };
+  served_.erase(std::remove_if(served_.begin(), served_.end(), is_it), served_.end());
+}
+
+}  // namespace trident::sim
