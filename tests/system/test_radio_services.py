@@ -97,7 +97,7 @@ def test_answers_and_errors_come_by_radio(meadow: Callable[..., Meadow]) -> None
         begin += "the call of boat to rover/{0} "
         assert world.answer("refuse") == begin.format("refuse", 2) + (
             "has failed: the server of /rover/refuse reports: "
-            "error processing request: the arm is folded'"
+            "service cannot process request: the arm is folded'"
         )
         outage = rospy.ServiceProxy("/radio/outage", SetOutage)
         assert outage("boat", "", rospy.Duration(3600)).success
@@ -111,6 +111,7 @@ def test_answers_and_errors_come_by_radio(meadow: Callable[..., Meadow]) -> None
         assert world.answer("die") == begin.format("die", 3) + (
             "has failed: the server of /rover/die has ended during the call'"
         )
+        world.node.wait()
         assert world.answer("arm") == begin.format("arm", 1) + (
             "has failed: there is no service /rover/arm: its server has ended'"
         )

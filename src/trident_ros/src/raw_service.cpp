@@ -192,6 +192,9 @@ ServiceType RawServiceClient::probe() {
   header.getValue("response_type", type.response);
   header.getValue("callerid", type.node);
   if (type.name.empty() || type.md5sum.empty()) stream.fail("does not name its type");
+  // rospy leaves these two out.
+  if (type.request.empty()) type.request = type.name + "Request";
+  if (type.response.empty()) type.response = type.name + "Response";
   return type;
 }
 

@@ -28,6 +28,12 @@ std::string error_of(const std::string& service, const std::string& md5sum = kMd
   return "no error";
 }
 
+/// A service of this node, which succeeds or fails.
+ros::ServiceServer serve(ros::NodeHandle& node, bool is_success) {
+  using Handler = boost::function<bool(std_srvs::SetBoolRequest&, std_srvs::SetBoolResponse&)>;
+  return node.advertiseService("/own", Handler([is_success](auto&, auto&) { return is_success; }));
+}
+
 void expect_answer(const std::string& bytes, bool success, const std::string& text) {
   std_srvs::SetBoolResponse response;
   std::string copy = bytes;
@@ -40,8 +46,7 @@ void expect_answer(const std::string& bytes, bool success, const std::string& te
 
 TEST(RawService, LearnsTheTypeFromAServerInPythonAndInCpp) {
   ros::NodeHandle node;
-  const auto server = node.advertiseService<std_srvs::SetBoolRequest, std_srvs::SetBoolResponse>(
-      "/own", [](auto&, auto&) { return true; });
+  const ros::ServiceServer server = serve(node, true);
   for (const auto& [service, owner] :
        {std::pair{"/repeat", "/serving"}, std::pair{"/own", "/raw_service_check"}}) {
     const ServiceType type = RawServiceClient(service).probe();
@@ -62,10 +67,9 @@ TEST(RawService, CallsByBytes) {
 
 TEST(RawService, WhatAServerReportsIsTheError) {
   EXPECT_EQ(error_of("/object"),
-            "the server of /object reports: error processing request: the arm is folded");
+            "the server of /object reports: service cannot process request: the arm is folded");
   ros::NodeHandle node;
-  const auto server = node.advertiseService<std_srvs::SetBoolRequest, std_srvs::SetBoolResponse>(
-      "/own", [](auto&, auto&) { return false; });
+  const ros::ServiceServer server = serve(node, false);
   EXPECT_EQ(error_of("/own"), "the server of /own reports a failure, without a text");
 }
 
@@ -99,7 +103,9 @@ TEST(RawService, ACallThatHangsEndsWhenItIsCancelled) {
 // The last one: the node has ended then.
 TEST(RawServiceAtItsEnd, AServerThatDiesDuringTheCallIsAnError) {
   EXPECT_EQ(error_of("/die"), "the server of /die has ended during the call");
-  EXPECT_EQ(error_of("/repeat"), "there is no service /repeat: its server has ended");
+  const std::string error = error_of("/repeat");
+  EXPECT_NE(error.find("/repeat"), std::string::npos) << error;
+  EXPECT_NE(error.find("has ended"), std::string::npos) << error;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,14 +27,18 @@ class LossyRadio : public Radio {
   SimTime outage_begin{-1}, outage_end{-1};
   SimTime now;
   std::uint64_t sent = 0;
+  std::map<std::string, RadioHistory> histories;  ///< newest by destination
+  std::set<std::string> is_deaf;                  ///< what is for these is lost
 
   std::vector<std::string> names() override { return {"a", "b", "c"}; }
   bool send(const std::string& source, const std::string& destination, std::string data,
             const RadioQos& qos) override {
     ++sent;
     EXPECT_EQ(qos.port, kRelayPort);
+    if (qos.history.depth > 0) histories[destination] = qos.history;
     for (const std::string& name : names()) {
       if (name == source || (destination != kAll && destination != name)) continue;
+      if (is_deaf.count(name) > 0) continue;
       if (random_.uniform(++draws_, 0) >= loss) put(source, name, data);
       if (random_.uniform(++draws_, 0) < doubling) put(source, name, data);
     }
@@ -228,6 +233,64 @@ TEST(Relay, WhatIsTooOldIsGivenUpAndWhatFollowsIsNot) {
     EXPECT_TRUE(has_arrived || !had_time) << i;
     EXPECT_FALSE(has_arrived && had_none) << i;
   }
+}
+
+/// Of a flow that is idle.
+void expect_each_counted_once(const RelayCounts& counts) {
+  EXPECT_EQ(counts.delivered + counts.expired + counts.superseded + counts.refused +
+                counts.thinned,
+            counts.offered);
+}
+
+TEST(Relay, AMessageThatIsTooOldAtBothEndsIsCountedOnce) {
+  Rig rig({rule(Reliability::kReliable, 1000, 0.1)});
+  rig.radio.min_delay = SimTime{150'000'000};  // whatever arrives is too old
+  rig.radio.max_delay = SimTime{160'000'000};
+  for (std::uint64_t i = 0; i < 20; ++i) rig.step({message(i, rig.radio.now)});
+  for (int i = 0; i < 300; ++i) rig.step();
+  EXPECT_TRUE(rig.received["b"].empty());
+  EXPECT_EQ(rig.counts().expired, 20u);
+}
+
+TEST(Relay, AMessageWhoseAcknowledgementIsLostIsDeliveredAndNothingElse) {
+  for (const int depth : {5, 1000}) {
+    Rig rig({rule(Reliability::kReliable, depth, 0.5)});
+    rig.radio.is_deaf = {"a"};
+    for (std::uint64_t i = 0; i < 20; ++i) rig.step({message(i, rig.radio.now)});
+    for (int i = 0; i < 300; ++i) rig.step();
+    EXPECT_EQ(rig.received["b"], numbers(20));
+    expect_each_counted_once(rig.counts());
+  }
+}
+
+TEST(Relay, EachMessageIsCountedOnceWhateverIsLost) {
+  for (const int depth : {3, 1000}) {
+    for (const double deadline_s : {0.1, 0.3, 2.0}) {
+      Rig rig({rule(Reliability::kReliable, depth, deadline_s)});
+      rig.radio.loss = 0.5;
+      rig.radio.doubling = 0.1;
+      rig.radio.max_delay = SimTime{80'000'000};
+      for (std::uint64_t i = 0; i < 2000; ++i) {
+        rig.step({message(i, rig.radio.now, i % 3 == 0 ? 4000 : 20)});
+      }
+      for (int i = 0; i < 1000; ++i) rig.step();
+      EXPECT_EQ(rig.counts().offered, 2000u);
+      expect_each_counted_once(rig.counts());
+      EXPECT_EQ(rig.counts().delivered, rig.received["b"].size());
+    }
+  }
+}
+
+TEST(Relay, NewerMessagesForOneRobotReplaceNoneForAnotherOverTheSameHop) {
+  Rig rig({rule(Reliability::kBestEffort, 1, 0.0, {"b", "c"}),
+           rule(Reliability::kBestEffort, 1, 0.0, {"b"})});
+  rig.step({message(0, rig.radio.now)});
+  const std::uint32_t flow = rig.radio.histories["b"].flow;
+  EXPECT_NE(flow, rig.radio.histories["c"].flow);
+  rig.step({message(1, rig.radio.now)});
+  EXPECT_EQ(rig.radio.histories["b"].flow, flow) << "of one pair it stays the same";
+  rig.relay.offer(1, "a", message(2, rig.radio.now), rig.radio.now, rig.radio);
+  EXPECT_NE(rig.radio.histories["b"].flow, flow) << "of another rule";
 }
 
 TEST(Relay, BeyondItsDepthAReliableRuleDropsTheOldest) {
