@@ -8,6 +8,7 @@ import argparse
 import os
 import sys
 from collections.abc import Callable, Mapping
+from pathlib import Path
 
 from trident_tool.formation import Handler
 from trident_tool.provision import venv_key
@@ -30,10 +31,17 @@ def install_clients(workspace: Workspace, runner: Runner) -> None:
     if stamp.is_file() and stamp.read_text(encoding="utf-8") == key:
         return
     say("preparing the clients of the bridges' tests in .venv-clients")
-    venv = ["/usr/bin/python3", "-m", "venv", workspace.clients_venv]
+    venv: list[str | Path] = ["/usr/bin/python3", "-m", "venv", workspace.clients_venv]
     runner.check(venv, what="creating .venv-clients")
     python = workspace.clients_venv / "bin" / "python"
-    pip = [python, "-m", "pip", "--disable-pip-version-check", "install", "--no-deps"]
+    pip: list[str | Path] = [
+        python,
+        "-m",
+        "pip",
+        "--disable-pip-version-check",
+        "install",
+        "--no-deps",
+    ]
     runner.check([*pip, "-r", requirements], what="installing the clients")
     if not runner.dry_run:
         hide_from_crawlers(workspace.clients_venv)

@@ -48,8 +48,8 @@ bool parse_number(std::string_view text, double* value) {
 }
 
 bool parse_digits(std::string_view text, int* value) {
-  constexpr std::size_t kMost = 9;
-  if (text.empty() || text.size() > kMost) return false;
+  constexpr std::size_t kMaxDigitsOfWhole = 9;
+  if (text.empty() || text.size() > kMaxDigitsOfWhole) return false;
   int result = 0;
   for (const char c : text) {
     if (!is_digit(c)) return false;

@@ -10,7 +10,7 @@
 namespace trident::bridges::nmea {
 namespace {
 
-constexpr double kStandstillMs = 0.05;  ///< below which receivers leave the course empty
+constexpr double kCourselessMs = 0.05;  ///< below which receivers leave the course empty
 constexpr double kMinutesPerDegree = 60.0;
 
 double squared(double value) { return value * value; }
@@ -99,7 +99,7 @@ void NavsatReader::read(const Vtg& vtg, const Receipt& /*receipt*/) {
 
 void NavsatReader::put_velocity(const std::optional<double>& speed_m_s,
                                 const std::optional<double>& course_deg) {
-  if (!course_deg && *speed_m_s > kStandstillMs) return;
+  if (!course_deg && *speed_m_s > kCourselessMs) return;
   const double course = deg_to_rad(course_deg.value_or(0.0));
   sink_.on_velocity({*speed_m_s * std::sin(course), *speed_m_s * std::cos(course)});
 }

@@ -44,8 +44,9 @@ struct Receiver::Visitor {
   }
 };
 
-Receiver::Receiver(const ReceiverParams& params, ReceiverSink& sink)
+Receiver::Receiver(const ReceiverParams& params, ReceiverSink& sink, ProblemSink& problems)
     : sink_(sink),
+      problems_(problems),
       magnetic_{params.magnetic_variation_deg},
       navsat_(params.navsat, sink),
       instruments_(magnetic_, sink),
@@ -67,7 +68,7 @@ void Receiver::read(const Sentence& sentence, const Receipt& receipt) {
       break;
     case Decoded::kRefused:
       counts_.refused.count(refusal.kind);
-      sink_.on_problem(refusal, sentence);
+      problems_.on_problem(refusal, sentence);
       break;
   }
 }
@@ -81,7 +82,7 @@ void Receiver::read_ais(const AisPart& part, bool is_own, const Sentence& senten
   if (bits != nullptr) vessel = targets_.add(*bits, receipt.now_s, &refusal, &is_refused);
   if (is_refused) {
     counts_.refused.count(refusal.kind);
-    sink_.on_problem(refusal, sentence);
+    problems_.on_problem(refusal, sentence);
   }
   if (vessel != nullptr) sink_.on_ais(*vessel, is_own);
 }

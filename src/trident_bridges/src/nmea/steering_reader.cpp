@@ -58,8 +58,8 @@ void SteeringReader::read(const Apa& apa, const Receipt& receipt) {
       true_deg(apa.bearing_from_origin_deg, apa.bearing_reference);
   if (!track_deg || !apa.cross_track.distance_nm) return;
   apa_s_ = receipt.now_s;
-  const double beside_m = *apa.cross_track.distance_nm * kMetersPerNauticalMile;
-  put(apa.cross_track, *track_deg - rad_to_deg(std::atan2(beside_m, params_.lookahead_m)));
+  const double off_track_m = *apa.cross_track.distance_nm * kMetersPerNauticalMile;
+  put(apa.cross_track, *track_deg - rad_to_deg(std::atan2(off_track_m, params_.lookahead_m)));
 }
 
 void SteeringReader::read(const Rmb& rmb, const Receipt& receipt) {

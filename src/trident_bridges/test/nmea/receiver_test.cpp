@@ -17,7 +17,7 @@ namespace {
 constexpr double kKnot = 1'852.0 / 3'600.0;
 
 /// Keeps what a receiver hands on.
-struct EventLog : ReceiverSink {
+struct EventLog : ReceiverSink, ProblemSink {
   void on_fix(const NavsatFix& fix) override { fixes.push_back(fix); }
   void on_velocity(const GroundVelocity& velocity) override { velocities.push_back(velocity); }
   void on_time(std::int64_t unix_ns) override { times.push_back(unix_ns); }
@@ -56,7 +56,7 @@ struct EventLog : ReceiverSink {
 
 /// A receiver and what it has handed on.
 struct Reading {
-  explicit Reading(const ReceiverParams& params = {}) : receiver(params, log) {}
+  explicit Reading(const ReceiverParams& params = {}) : receiver(params, log, log) {}
   EventLog& operator()(const std::string& text, const Receipt& receipt = {}) {
     Sentence sentence;
     Refusal refusal;

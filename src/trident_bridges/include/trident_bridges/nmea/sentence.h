@@ -46,7 +46,7 @@ class Sentence {
   std::string_view field(std::size_t index) const {
     return text_.substr(begins_[index], begins_[index + 1] - 1U - begins_[index]);
   }
-  /// NMEA 4.10's "\...\" before the sentence, without the backslashes; empty: there was none.
+  /// NMEA 4.10's "\...\" before the sentence, without the backslashes; empty: it is absent.
   std::string_view tag_block() const { return tag_block_; }
   void set_tag_block(std::string_view tag_block) { tag_block_ = tag_block; }  ///< as a view
 

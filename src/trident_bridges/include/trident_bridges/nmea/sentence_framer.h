@@ -34,7 +34,7 @@ class SentenceSink {
   virtual ~SentenceSink() = default;
   /// A sentence whose checksum is right, or which has none and needs none.
   virtual void on_sentence(const Sentence& sentence) = 0;
-  /// Something that began as a sentence and is none. `text`: as much of it as was read.
+  /// Something that began as a sentence and did not become one. `text`: as much of it as was read.
   virtual void on_refusal(const Refusal& refusal, std::string_view text) = 0;
 };
 

@@ -74,7 +74,7 @@ struct AisExtent {
 struct AisPosition {
   static constexpr std::size_t kMinBits = 137;  ///< with what is read of it
   AisHeader header{1, 0, 0};
-  std::uint32_t status = 15;                ///< 0: under way using engine ... 15: not defined
+  std::uint32_t status = 15;                ///< 0: using the engine ... 15: not defined
   std::optional<double> turn_rate_deg_min;  ///< to starboard is positive
   AisMotion motion;
 

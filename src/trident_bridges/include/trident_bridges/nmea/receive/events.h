@@ -84,6 +84,14 @@ struct RoutePlace {
   double latitude_deg = 0.0, longitude_deg = 0.0;
 };
 
+/// Takes what a Receiver refuses.
+class ProblemSink {
+ public:
+  virtual ~ProblemSink() = default;
+  /// Something is not used; `sentence` is what it stood in. Both are valid during the call.
+  virtual void on_problem(const Refusal& refusal, const Sentence& sentence) = 0;
+};
+
 /// Takes what a Receiver reads; what is not overridden is ignored.
 class ReceiverSink {
  public:
@@ -102,8 +110,6 @@ class ReceiverSink {
   virtual void on_route(const std::vector<RoutePlace>& /*places*/) {}   ///< WPL and RTE
   /// VDM and VDO; `is_own`: of the vessel that sends the sentences.
   virtual void on_ais(const AisVessel& /*vessel*/, bool /*is_own*/) {}
-  /// Something is not used; `sentence` is what it stood in.
-  virtual void on_problem(const Refusal& /*refusal*/, const Sentence& /*sentence*/) {}
 };
 
 }  // namespace trident::bridges::nmea

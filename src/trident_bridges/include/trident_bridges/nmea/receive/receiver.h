@@ -32,8 +32,8 @@ struct ReceiverCounts {
 /// Reads the sentences of one peer.
 class Receiver {
  public:
-  /// `sink` outlives the receiver.
-  Receiver(const ReceiverParams& params, ReceiverSink& sink);
+  /// `sink` and `problems` outlive the receiver.
+  Receiver(const ReceiverParams& params, ReceiverSink& sink, ProblemSink& problems);
   Receiver(const Receiver&) = delete;
   Receiver& operator=(const Receiver&) = delete;
 
@@ -47,6 +47,7 @@ class Receiver {
   void read_ais(const AisPart& part, bool is_own, const Sentence& sentence, const Receipt& receipt);
 
   ReceiverSink& sink_;
+  ProblemSink& problems_;
   Magnetic magnetic_;
   NavsatReader navsat_;
   InstrumentReader instruments_;

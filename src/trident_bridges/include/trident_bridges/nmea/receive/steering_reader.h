@@ -32,7 +32,7 @@ struct SteeringParams {
 };
 
 /// Makes headings to steer of APB, APA and RMB, which route planners send together. APB says what
-/// to steer. APA says the bearing of the track and how far the vessel is beside it: it is steered
+/// to steer. APA says the bearing of the track and how far off it the vessel is: it is steered
 /// to a point of the track `lookahead` ahead (Fossen, "Handbook of Marine Craft Hydrodynamics and
 /// Motion Control", 2011, eq. 10.73). RMB says where the destination is.
 class SteeringReader {

@@ -11,8 +11,8 @@
 
 namespace trident::bridges::nmea {
 
-/// Finds the day of a time of day: of the last sentence that had a date, or of the clock of whoever
-/// reads. Across midnight the day is the one that is nearer.
+/// Finds the day of a time of day: of the last sentence that had a date, or of the
+/// reader's clock. Across midnight the day is the one that is nearer.
 class UtcResolver {
  public:
   /// A sentence that had both.

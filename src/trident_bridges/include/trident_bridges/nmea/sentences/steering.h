@@ -15,7 +15,7 @@ using WaypointName = FixedText<24>;  ///< of a place
 inline constexpr const char* kReferences = "TM";  ///< true or magnetic north
 inline constexpr Limits kRangeLimits{0.0, 1e5};   ///< [nautical miles]
 
-/// How far the vessel is beside the track, and where it is to steer to be on it again.
+/// How far the vessel is off the track, and where it is to steer to be on it again.
 struct CrossTrack {
   std::optional<double> distance_nm;  ///< right of the track is positive: it has to steer left
 

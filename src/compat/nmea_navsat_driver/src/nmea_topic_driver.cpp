@@ -1,0 +1,5 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_bridges_ros/nmea/navsat_drivers.h"
+
+int main(int argc, char** argv) { return trident::bridges::nmea_topic_driver_main(argc, argv); }

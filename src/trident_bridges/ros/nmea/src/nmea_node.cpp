@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_bridges_ros/nmea/nmea_node.h"
+
+#include <utility>
+
+namespace trident::bridges {
+namespace {
+
+/// A handle whose callbacks the loop calls.
+ros::NodeHandle served_by(NodePollLoop& loop) {
+  ros::NodeHandle node;
+  node.setCallbackQueue(loop.callback_queue());
+  return node;
+}
+
+/// The handle of the topics of what is read.
+ros::NodeHandle output_handle(const ros::NodeHandle& node, const std::string& name_space) {
+  return name_space.empty() ? node : ros::NodeHandle(node, name_space);
+}
+
+NavsatOutput make_output(const ros::NodeHandle& node, const NmeaNodeParams& params) {
+  NavsatOutputParams output;
+  output.frame_id = params.frame_id;
+  ros::NodeHandle handle = output_handle(node, params.output);
+  return NavsatOutput(handle, output);
+}
+
+NodePublisher<nmea_msgs::Sentence> make_sentences(const ros::NodeHandle& node,
+                                                  const NmeaNodeParams& params) {
+  ros::NodeHandle handle = output_handle(node, params.output);
+  return NodePublisher<nmea_msgs::Sentence>(handle, "nmea_sentence");
+}
+
+}  // namespace
+
+NmeaNode::NmeaNode(ros::NodeHandle& node, NodePollLoop& loop, const NmeaNodeParams& params,
+                   const UtcClock& clock)
+    : loop_(loop),
+      clock_(clock),
+      rare_(served_by(loop)),
+      refusals_(rare_),
+      output_(make_output(node, params)),
+      sentences_(make_sentences(node, params)),
+      sender_(params.talker, *this) {
+  for (const NmeaLinkParams& link : params.links) open(link, params);
+  if (!senders_.empty()) {
+    input_ = std::make_unique<VehicleInput>(node, loop, params.topics, sender_, clock_, refusals_);
+  }
+}
+
+NmeaNode::~NmeaNode() = default;
+
+void NmeaNode::open(const NmeaLinkParams& link, const NmeaNodeParams& params) {
+  NmeaReadParams reading;
+  reading.framer = params.framer;
+  reading.receiver.navsat = params.navsat;
+  reading.receiver.steering = params.steering;
+  if (params.talker.magnetic_variation_deg != 0.0) {
+    reading.receiver.magnetic_variation_deg = params.talker.magnetic_variation_deg;
+  }
+  NmeaReadHooks hooks;
+  hooks.receipt = [this] { return receive(); };
+  hooks.sentence = [this](const nmea::Sentence& sentence) { pass_on(sentence); };
+  hooks.events = &output_;
+  hooks.refusals = &refusals_;
+  links_.push_back(std::make_unique<NmeaLink>(link.options(), reading, std::move(hooks),
+                                              link.listens, loop_.loop()));
+  if (link.sends) senders_.push_back(links_.back().get());
+  ROS_INFO("%s %s", links_.back()->name().c_str(),
+           link.sends ? (link.listens ? "sends and listens" : "sends") : "listens");
+}
+
+nmea::Receipt NmeaNode::receive() {
+  output_.set_now();
+  return {loop_.loop().now_s(), unix_ns_now(clock_)};
+}
+
+void NmeaNode::pass_on(const nmea::Sentence& sentence) {
+  if (sentences_.subscribers() == 0) return;
+  message_.header.stamp = ros::Time::now();
+  message_.sentence = text_of(sentence);
+  sentences_.publish(message_);
+}
+
+void NmeaNode::on_sentence(std::string_view sentence, SimTime /*stamp*/) {
+  for (NmeaLink* const link : senders_) link->send(sentence);
+}
+
+void NmeaNode::on_problem(std::string_view type, const nmea::Refusal& refusal) {
+  const std::string name(type);
+  refusals_.note(name + " not sent", name + " is not sent: " + nmea::to_text(refusal));
+}
+
+}  // namespace trident::bridges

@@ -1,0 +1,151 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""What nmea_node sends is read by programs of others: pynmea2 and gpsd."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from boat import LATITUDE_DEG, LONGITUDE_DEG, Boat, Client
+from trident.testing import Ros, eventually, program
+from trident.testing.clients import clients_python
+from trident_base.ports import free_port
+
+# Every sentence of which the boat has the instruments.
+KINDS = (
+    "GGA GLL RMC VTG ZDA GSA GSV GST GBS DTM HDT THS HDG HDM ROT XDR VHW VBW VLW DBT DPT MWV MWD "
+    "VWR VWT"
+).split()
+ALTITUDE_M = 41.0
+METERS_PER_DEGREE = 111_320.0
+
+
+@pytest.fixture
+def boat() -> Iterator[Boat]:
+    result = Boat()
+    yield result
+    result.close()
+
+
+def start(ros: Ros, url: str) -> None:
+    ros.set_param("/nmea/links", [{"url": url}])
+    ros.set_param("/nmea/rates", dict.fromkeys(KINDS, 5.0))
+    process = ros.launch([program("trident_bridges", "nmea_node"), "__name:=nmea"])
+    eventually(lambda: "sends and listens" in process.log, "the node is up")
+
+
+def sailing(boat: Boat, has_arrived: Callable[[], bool]) -> Callable[[], bool]:
+    """Publishes the boat's instruments while a condition is awaited."""
+    at_s = [1000.0]
+    eventually(boat.is_heard, "the node's subscriptions")
+
+    def sail() -> bool:
+        at_s[0] += 0.2
+        boat.publish(at_s[0])
+        return has_arrived()
+
+    return sail
+
+
+def read_by_pynmea2(python: Path, lines: list[str]) -> list[dict[str, Any]]:
+    script = Path(__file__).with_name("read_by_pynmea2.py")
+    result = subprocess.run(
+        [python, script],
+        input="\n".join(lines),
+        capture_output=True,
+        text=True,
+        check=False,
+        env={"PATH": "/usr/bin"},
+    )
+    assert result.returncode == 0, result.stderr
+    return [json.loads(line) for line in result.stdout.splitlines()]
+
+
+def test_pynmea2_reads_all_that_is_sent(ros: Ros, boat: Boat) -> None:
+    python = clients_python("pynmea2")
+    port = free_port()
+    start(ros, f"tcp-l://:{port}")
+    client = Client(port)
+    done = sailing(boat, lambda: all(len(client.lines(kind)) > 1 for kind in KINDS))
+    eventually(done, "sentences of all kinds")
+    lines = client.read().rpartition("\r\n")[0].split("\r\n")
+    client.close()
+    messages = read_by_pynmea2(python, lines)
+    assert len(messages) == len(lines)
+    by_type = {message["type"]: message["fields"] for message in messages}
+    assert set(by_type) == set(KINDS)
+    for kind in ("GGA", "GLL", "RMC"):
+        assert by_type[kind]["latitude"] == pytest.approx(LATITUDE_DEG, abs=1e-7)
+        assert by_type[kind]["longitude"] == pytest.approx(LONGITUDE_DEG, abs=1e-7)
+    assert by_type["GGA"]["gps_qual"] == 4
+    assert by_type["RMC"]["datestamp"] == "2026-01-01"
+    assert float(by_type["DPT"]["depth"]) == 4.5
+    assert float(by_type["HDT"]["heading"]) == 90.0
+
+
+def gps_reports(port: int, count: int) -> list[dict[str, Any]]:
+    """So many position reports of gpsd, by gpspipe."""
+    with subprocess.Popen(
+        ["gpspipe", "-w", f"127.0.0.1:{port}"], stdout=subprocess.PIPE, text=True
+    ) as pipe:
+        assert pipe.stdout is not None
+        reports: list[dict[str, Any]] = []
+        for line in pipe.stdout:
+            report = json.loads(line)
+            if report["class"] == "TPV" and report.get("mode", 0) == 3:
+                reports.append(report)
+            if len(reports) >= count:
+                break
+        pipe.kill()
+    return reports
+
+
+def check_gpsd(ros: Ros, boat: Boat, source: str) -> None:
+    """Has gpsd read a source, and compares what it reports with the truth."""
+    port = free_port()
+    gpsd = ros.launch(["/usr/sbin/gpsd", "-N", "-n", "-b", "-D", "2", "-S", port, source])
+    pipe = ros.launch(["/usr/bin/gpspipe", "-w", f"127.0.0.1:{port}"])
+
+    def reports() -> list[dict[str, Any]]:
+        whole = pipe.log.rpartition("\n")[0].splitlines()
+        lines = [json.loads(line) for line in whole if line.startswith("{")]
+        return [line for line in lines if line["class"] == "TPV" and line.get("altHAE")]
+
+    def has_enough() -> bool:
+        if pipe.popen.poll() is not None:  # gpsd was not up yet
+            pipe.__dict__.update(
+                ros.launch(["/usr/bin/gpspipe", "-w", f"127.0.0.1:{port}"]).__dict__
+            )
+        return len(reports()) >= 5
+
+    eventually(sailing(boat, has_enough), "reports of gpsd")
+    newest = reports()[-1]
+    north_m = (newest["lat"] - LATITUDE_DEG) * METERS_PER_DEGREE
+    east_m = (newest["lon"] - LONGITUDE_DEG) * METERS_PER_DEGREE
+    east_m *= math.cos(math.radians(LATITUDE_DEG))
+    assert math.hypot(north_m, east_m) < 0.1
+    assert newest["altHAE"] == pytest.approx(ALTITUDE_M, abs=0.1)
+    assert newest["time"].startswith("2026-01-01T00:1")
+    assert newest["mode"] == 3
+    assert newest["status"] == 3  # RTK fixed
+    assert newest["track"] == pytest.approx(90.0)
+    assert newest["speed"] == pytest.approx(2.0, abs=1e-3)
+    assert "ERROR" not in gpsd.log, gpsd.log
+
+
+def test_gpsd_reads_the_tcp_stream(ros: Ros, boat: Boat) -> None:
+    port = free_port()
+    start(ros, f"tcp-l://:{port}")
+    check_gpsd(ros, boat, f"tcp://127.0.0.1:{port}")
+
+
+def test_gpsd_reads_the_pseudo_terminal(ros: Ros, boat: Boat, tmp_path: Path) -> None:
+    link = tmp_path / "gps"
+    start(ros, f"pty://{link}:115200")
+    check_gpsd(ros, boat, str(link))
