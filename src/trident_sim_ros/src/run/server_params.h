@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "server_options.h"
+#include "trident_base/utc_clock.h"
 #include "trident_base/yaml_config.h"
 
 namespace trident::sim {
@@ -65,6 +66,7 @@ struct ServerParams {
   double max_clock_rate_hz = 50.0, pub_clock_frequency_hz = 0.0;
   std::optional<std::string> out_dir;
   std::string radio_rules;
+  std::string utc_start = UtcClock::kDefaultStart;  ///< read by devices that carry dates
   std::vector<std::string> plugin_libraries;
   std::optional<int> sensor_threads;
 
@@ -82,6 +84,7 @@ struct ServerParams {
     ar.field("plugin_libraries", plugin_libraries, "shared libraries with further plugins");
     ar.field("radio_rules", radio_rules,
              "file of config/links: which topics cross by radio; empty: as the world file says");
+    ar.field("utc_start", utc_start, "UTC at simulated time 0, for devices that carry dates");
     ar.field("sensor_threads", sensor_threads, Range{1, 256},
              "that share the work of lidars and cameras; none: one per core, at most 8");
     ar.field("max_clock_rate", max_clock_rate_hz, Range{1.0, 1e5},
@@ -90,6 +93,8 @@ struct ServerParams {
              "simulated rate of /clock; 0: every step [Hz]");
     visit_lockstep(ar);
   }
+  /// Throws Error when utc_start is no instant of UTC.
+  void validate() const { UtcClock{utc_start}; }
 
  private:
   template <class Archive>

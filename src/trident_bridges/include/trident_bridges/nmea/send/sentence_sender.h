@@ -64,10 +64,10 @@ struct TalkerIds {
 struct TalkerParams {
   /// Of each sentence that is sent [1/s of simulated time]; never more often than what it is made
   /// of comes.
-  std::map<std::string, double> rates = {
-      {"GGA", 5.0}, {"RMC", 1.0}, {"VTG", 1.0}, {"GLL", 1.0}, {"ZDA", 1.0}, {"GSA", 1.0},
-      {"GSV", 1.0}, {"GST", 1.0}, {"HDT", 5.0}, {"ROT", 1.0}, {"XDR", 1.0}, {"VHW", 1.0},
-      {"DPT", 1.0}, {"MWV", 1.0}, {"RPM", 1.0}, {"RSA", 1.0}, {"MTW", 0.1}};
+  std::map<std::string, double> rates = {{"GGA", 5.0}, {"RMC", 1.0}, {"VTG", 1.0}, {"GLL", 1.0},
+                                         {"ZDA", 1.0}, {"GSA", 1.0}, {"GSV", 1.0}, {"GST", 1.0},
+                                         {"HDT", 5.0}, {"XDR", 1.0}, {"VHW", 1.0}, {"DPT", 1.0},
+                                         {"MWV", 1.0}};
   TalkerIds talkers;
   double magnetic_variation_deg = 0.0;  ///< of the place; east is positive
 
