@@ -98,8 +98,8 @@ struct EndpointOptions {
   std::uint32_t default_baud = 57600;  ///< where the URL has none [bit/s]
   Parity parity = Parity::kNone;       ///< of a serial line
   int stop_bits = 1;                   ///< of a serial line: 1 or 2
-  bool keeps_baud =
-      true;  ///< serial, pty: a block waits until those before it have left at baud/10
+  /// Serial, pty: a block leaves when its last byte would on a line of baud/10 bytes a second.
+  bool keeps_baud = true;
   std::uint32_t max_peers = 16;            ///< more are refused and counted
   double max_peer_rate = 20000.0;          ///< datagrams of a peer [1/s]; more are counted only
   double peer_timeout_s = 60.0;            ///< a silent UDP peer that was learnt is forgotten
