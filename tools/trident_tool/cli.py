@@ -57,6 +57,7 @@ COMMANDS = (
     "view",
     "links",
     "mavlink",
+    "latency",
     "posegraph",
     "worldmap",
     "worldgen",

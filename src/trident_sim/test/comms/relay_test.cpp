@@ -237,8 +237,7 @@ TEST(Relay, WhatIsTooOldIsGivenUpAndWhatFollowsIsNot) {
 
 /// Of a flow that is idle.
 void expect_each_counted_once(const RelayCounts& counts) {
-  EXPECT_EQ(counts.delivered + counts.expired + counts.superseded + counts.refused +
-                counts.thinned,
+  EXPECT_EQ(counts.delivered + counts.expired + counts.superseded + counts.refused + counts.thinned,
             counts.offered);
 }
 

@@ -168,7 +168,8 @@ class Simulation:
     def step_and_receive(self, n: int, count: int, received: Callable[[], int]) -> None:
         """Do n steps `count` times, and wait after the k-th until k messages were received.
 
-        A publisher keeps only the newest of its large messages: in one go a busy machine drops some.
+        A publisher keeps only the newest of its large messages: in one go a busy machine drops
+        some.
 
         Args:
             n: steps at a time, the period of what is published.
@@ -177,7 +178,11 @@ class Simulation:
         """
         for k in range(1, count + 1):
             self.step(n)
-            eventually(lambda k=k: received() >= k, f"message {k} of {count}")
+            self._wait_for(k, count, received)
+
+    @staticmethod
+    def _wait_for(k: int, count: int, received: Callable[[], int]) -> None:
+        eventually(lambda: received() >= k, f"message {k} of {count}")
 
     def step_until(
         self, condition: Callable[[], bool], what: str, limit_s: float = 60.0, every_s: float = 0.1
