@@ -31,12 +31,14 @@ trident_bridges_room(mavlink
 add_dependencies(trident_bridges_mavlink trident_bridges_mavlink_headers)
 target_include_directories(trident_bridges_mavlink SYSTEM PUBLIC "$<BUILD_INTERFACE:${mavlink_generated}>")
 
-add_executable(mavlink_decode programs/mavlink_decode.cpp)
-target_compile_options(mavlink_decode PRIVATE -Wall -Wextra)
-target_link_libraries(mavlink_decode trident_bridges_mavlink)
-set_target_properties(mavlink_decode PROPERTIES
-  RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
-install(TARGETS mavlink_decode RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+foreach(program mavlink_decode mavlink_codec_bench mavlink_vehicles)
+  add_executable(${program} programs/${program}.cpp)
+  target_compile_options(${program} PRIVATE -Wall -Wextra)
+  target_link_libraries(${program} trident_bridges_mavlink)
+  set_target_properties(${program} PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+  install(TARGETS ${program} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+endforeach()
 
 trident_bridges_test(mavlink
   test/mavlink/packet_parser_test.cpp

@@ -57,7 +57,6 @@ COMMANDS = (
     "view",
     "links",
     "mavlink",
-    "latency",
     "posegraph",
     "worldmap",
     "worldgen",

@@ -10,6 +10,9 @@
 
 namespace trident::bridges::mavlink::testing {
 
+inline constexpr Address kVehicle{1, 1};     ///< an autopilot
+inline constexpr Address kGround{255, 190};  ///< a ground station
+
 /// ATTITUDE of vehicle 7.
 Message attitude(float roll);
 /// A message of the dialect's type number `type` (modulo their number) with random fields.
