@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -70,9 +69,14 @@ std::optional<Received> read_command(const Message& message) {
   return received;
 }
 
+/// NaN, which stands for what is not given, equals itself.
+bool are_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
 bool are_same(const Command& a, const Command& b) {
+  const auto same_number = [](double x, double y) { return are_same(x, y); };
   return a.command == b.command && a.source == b.source && a.is_int == b.is_int &&
-         a.frame == b.frame && std::memcmp(&a.params, &b.params, sizeof a.params) == 0;
+         a.frame == b.frame &&
+         std::equal(a.params.begin(), a.params.end(), b.params.begin(), same_number);
 }
 
 }  // namespace

@@ -79,7 +79,8 @@ std::vector<StreamRate> vehicle_stream_rates() {
           {MAVLINK_MSG_ID_DISTANCE_SENSOR, 0.0}};
 }
 
-MessageStreams::MessageStreams(Address self, MessageSink send, std::vector<StreamRate> defaults,
+MessageStreams::MessageStreams(Address self, MessageSink send,
+                               const std::vector<StreamRate>& defaults,
                                std::function<bool(std::uint32_t id)> emit)
     : self_(self), send_(std::move(send)), emit_(std::move(emit)) {
   for (const StreamRate& rate : defaults) {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_bridges/mavlink/mission.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 
 #include "trident_bridges/mavlink/dialect.h"
 
@@ -12,6 +12,8 @@ namespace trident::bridges::mavlink {
 namespace {
 
 constexpr double kDegrees = 1e7;  // of x and y in one degree
+
+bool are_same(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 }  // namespace
 
@@ -44,8 +46,8 @@ const char* text_of(MissionResult result) {
 bool operator==(const MissionItem& a, const MissionItem& b) {
   return a.command == b.command && a.frame == b.frame && a.is_current == b.is_current &&
          a.autocontinue == b.autocontinue && a.x == b.x && a.y == b.y &&
-         std::memcmp(&a.params, &b.params, sizeof a.params) == 0 &&
-         std::memcmp(&a.z, &b.z, sizeof a.z) == 0;
+         std::equal(a.params.begin(), a.params.end(), b.params.begin(), are_same) &&
+         are_same(a.z, b.z);
 }
 
 bool is_global_frame(std::uint8_t frame) {

@@ -30,7 +30,7 @@ class MessageStreams {
   static constexpr double kMaxRate_hz = 1000.0;  ///< that may be asked for
 
   /// `emit` sends a message of that id now; false: the vehicle cannot make it.
-  MessageStreams(Address self, MessageSink send, std::vector<StreamRate> defaults,
+  MessageStreams(Address self, MessageSink send, const std::vector<StreamRate>& defaults,
                  std::function<bool(std::uint32_t id)> emit);
 
   /// Has all messages sent that are due.

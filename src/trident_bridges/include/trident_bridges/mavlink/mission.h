@@ -62,7 +62,7 @@ struct MissionItem {
   std::int32_t y = 0;             ///< longitude [1e-7 deg], or east or param6 [1e-4 m, 1e-4]
   float z = 0.0F;                 ///< altitude by the frame, or down [m], or param7
 
-  /// To the bit: NaN equals itself.
+  /// NaN, which stands for what is not given, equals itself.
   friend bool operator==(const MissionItem& a, const MissionItem& b);
   friend bool operator!=(const MissionItem& a, const MissionItem& b) { return !(a == b); }
 };
