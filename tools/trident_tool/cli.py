@@ -56,8 +56,8 @@ COMMANDS = (
     "slam",
     "view",
     "links",
-    "mavlink",
     "posegraph",
+    "mavlink",
     "worldmap",
     "worldgen",
     "plan",
@@ -146,6 +146,7 @@ def make_parser() -> argparse.ArgumentParser:
     add_evaluation_commands(add)
     add_world_commands(add)
     add_navigation_commands(add)
+    add_mavlink_command(add)
     commands.add_parser("help", help="show this text")
     return parser
 
@@ -189,7 +190,6 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
 
     _add_view(add)
     add_links_command(add)
-    add_mavlink_command(add)
 
     sub = add("shell", _cmd_shell, "a shell in which the workspace is sourced")
     sub.add_argument("-c", dest="command", metavar="COMMAND", help="run this instead")

@@ -92,10 +92,10 @@ enum class Parity { kNone, kEven, kOdd };
 struct EndpointOptions {
   /// See transport/url.h.
   std::string url;
-  bool allow_remote = false;               ///< may bind or connect to what is not loopback
-  std::uint32_t max_peers = 16;            ///< more are refused and counted
-  double peer_timeout_s = 60.0;            ///< a silent UDP peer that was learnt is forgotten
-  std::uint32_t queue_bytes = 256 * 1024;  ///< what waits for a slow peer
+  bool allow_remote = false;                   ///< may bind or connect to what is not loopback
+  std::uint32_t max_peers = 16;                ///< more are refused and counted
+  double peer_timeout_s = 60.0;                ///< a silent UDP peer that was learnt is forgotten
+  std::uint32_t queue_bytes = 256 * 1024;      ///< what waits for a slow peer
   std::uint32_t socket_buffer = 4 * 1024 * 1024;  ///< asked of the kernel; it may give less
 };
 
