@@ -18,15 +18,30 @@ add_custom_target(trident_bridges_mavlink_headers DEPENDS "${mavlink_generated}/
 # --- codec and protocol state machines ------------------------------------------------------------
 trident_bridges_room(mavlink
   src/mavlink/checksum.cpp
+  src/mavlink/command_client.cpp
+  src/mavlink/command_server.cpp
+  src/mavlink/heartbeat_monitor.cpp
   src/mavlink/message_json.cpp
+  src/mavlink/message_streams.cpp
   src/mavlink/message_table.cpp
+  src/mavlink/mission.cpp
+  src/mavlink/mission_client.cpp
+  src/mavlink/mission_messages.cpp
+  src/mavlink/mission_server.cpp
   src/mavlink/packet.cpp
   src/mavlink/packet_parser.cpp
   src/mavlink/packet_writer.cpp
+  src/mavlink/parameter_client.cpp
+  src/mavlink/parameter_server.cpp
+  src/mavlink/router.cpp
   src/mavlink/sequence_tracker.cpp
   src/mavlink/signing.cpp
   src/mavlink/signing_file.cpp
+  src/mavlink/small_services.cpp
+  src/mavlink/status_text.cpp
+  src/mavlink/timesync.cpp
   src/mavlink/tlog.cpp
+  src/mavlink/vehicles.cpp
 )
 add_dependencies(trident_bridges_mavlink trident_bridges_mavlink_headers)
 target_include_directories(trident_bridges_mavlink SYSTEM PUBLIC "$<BUILD_INTERFACE:${mavlink_generated}>")
@@ -41,8 +56,17 @@ foreach(program mavlink_decode mavlink_codec_bench mavlink_vehicles)
 endforeach()
 
 trident_bridges_test(mavlink
+  test/mavlink/command_test.cpp
+  test/mavlink/frames_test.cpp
+  test/mavlink/mission_test.cpp
+  test/mavlink/packet_fuzz_test.cpp
   test/mavlink/packet_parser_test.cpp
   test/mavlink/packets.cpp
+  test/mavlink/parameter_test.cpp
+  test/mavlink/router_test.cpp
+  test/mavlink/services_test.cpp
+  test/mavlink/signing_test.cpp
+  test/mavlink/vehicles_test.cpp
 )
 if(CATKIN_ENABLE_TESTING AND COMMAND trident_add_pytest)
   trident_add_pytest(trident_bridges_mavlink_pymavlink test/mavlink)

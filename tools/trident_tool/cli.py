@@ -56,6 +56,7 @@ COMMANDS = (
     "slam",
     "view",
     "links",
+    "latency",
     "posegraph",
     "mavlink",
     "worldmap",

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 #include "trident_base/span.h"
 
@@ -44,5 +45,8 @@ struct Message {
   std::uint8_t length = 0;    ///< [bytes] of the payload that are meaningful
   alignas(8) std::array<std::uint8_t, kMaxPayload> payload{};  ///< zeros behind `length`
 };
+
+/// Takes what a protocol's state machine sends.
+using MessageSink = std::function<void(const Message&)>;
 
 }  // namespace trident::bridges::mavlink

@@ -92,10 +92,19 @@ enum class Parity { kNone, kEven, kOdd };
 struct EndpointOptions {
   /// See transport/url.h.
   std::string url;
-  bool allow_remote = false;                   ///< may bind or connect to what is not loopback
-  std::uint32_t max_peers = 16;                ///< more are refused and counted
-  double peer_timeout_s = 60.0;                ///< a silent UDP peer that was learnt is forgotten
-  std::uint32_t queue_bytes = 256 * 1024;      ///< what waits for a slow peer
+  bool allow_remote = false;            ///< may bind or connect to what is not loopback
+  std::uint16_t default_bind_port = 0;  ///< where the URL has none; 0: a free one
+  std::uint16_t default_port = 0;  ///< the peer's, where the URL has none; 0: the URL must have it
+  std::uint32_t default_baud = 57600;  ///< where the URL has none [bit/s]
+  Parity parity = Parity::kNone;       ///< of a serial line
+  int stop_bits = 1;                   ///< of a serial line: 1 or 2
+  /// Serial, pty: a block leaves when its last byte would on a line of baud/10 bytes a second.
+  bool keeps_baud = true;
+  std::uint32_t max_peers = 16;            ///< more are refused and counted
+  double max_peer_rate = 20000.0;          ///< datagrams of a peer [1/s]; more are counted only
+  double peer_timeout_s = 60.0;            ///< a silent UDP peer that was learnt is forgotten
+  double retry_s = 0.2;                    ///< between attempts to open a lost line or server again
+  std::uint32_t queue_bytes = 256 * 1024;  ///< what waits for a slow peer
   std::uint32_t socket_buffer = 4 * 1024 * 1024;  ///< asked of the kernel; it may give less
 };
 
