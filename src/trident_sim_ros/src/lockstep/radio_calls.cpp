@@ -48,19 +48,19 @@ void RadioCalls::report_unserved() {
   }
 }
 
-bool RadioCalls::allows_step(SimTime begin) {
-  return served_.allows_step(begin, [this](const std::string& node) { return is_calling(node); });
-}
+bool RadioCalls::allows_step(SimTime begin) { return served_.allows_step(begin, is_calling()); }
 
 void RadioCalls::deliver(SimTime begin) {
   if (relay_ == nullptr) return;
-  served_.deliver(begin, *relay_, [this](const std::string& node) { return is_calling(node); });
+  served_.deliver(begin, *relay_, is_calling());
   called_.deliver(begin, *relay_, [this](const std::string& node) { return waits_for(node); });
 }
 
 void RadioCalls::take() {
   if (relay_ == nullptr) return;
-  for (const ServedCall& call : relay_->take_served()) served_.begin(call);
+  for (const ServedCall& call : relay_->take_served()) {
+    served_.begin(call, called_.received());
+  }
   for (const CallResult& result : relay_->take_results()) {
     served_.forget(result.number);
     called_.finish(result);
@@ -70,7 +70,7 @@ void RadioCalls::take() {
 void RadioCalls::abort_calls_of(const std::vector<std::string>& nodes, const std::string& why) {
   if (relay_ == nullptr) return;
   for (const std::string& node : nodes) {
-    if (!is_calling(node)) continue;
+    if (!called_.is_calling(node)) continue;
     deliver(world_.time());
     called_.abort(node,
                   why + ", and " + node + " for this call, legal: calls from a thread of their own",

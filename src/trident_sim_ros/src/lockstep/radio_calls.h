@@ -52,7 +52,11 @@ class RadioCalls {
   void end(const std::string& why);
 
  private:
-  bool is_calling(const std::string& node) const { return called_.is_calling(node); }
+  ServedCalls::IsCalling is_calling() const {
+    return [this](const std::string& node, std::uint64_t received) {
+      return called_.is_calling(node, received);
+    };
+  }
   void report_unserved();
 
   const World& world_;

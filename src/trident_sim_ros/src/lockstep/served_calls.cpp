@@ -66,11 +66,12 @@ ServedCalls::ServedCalls(ServiceTypes& types, std::shared_ptr<MessageBell> bell,
 
 ServedCalls::~ServedCalls() = default;
 
-void ServedCalls::begin(const ServedCall& call) {
+void ServedCalls::begin(const ServedCall& call, std::uint64_t received) {
   const ros_utils::ServiceType type = types_.look(name_at_server(call.service));
   Served served;
   served.call = call;
   served.node = type.node;
+  served.received = received;
   served.attempt = std::make_shared<Attempt>(call, type, bell_);
   served_.push_back(std::move(served));
 }
@@ -79,12 +80,11 @@ bool ServedCalls::is_awaited(const Served& served, SimTime now) {
   return served.call.due <= now && !served.is_lost && !served.attempt->result();
 }
 
-bool ServedCalls::allows_step(SimTime now,
-                              const std::function<bool(const std::string&)>& is_calling) {
+bool ServedCalls::allows_step(SimTime now, const IsCalling& is_calling) {
   bool allowed = true;
   for (Served& served : served_) {
     const bool is_late = is_awaited(served, now);
-    const bool is_passed = is_late && is_calling(served.node);
+    const bool is_passed = is_late && is_calling(served.node, served.received);
     served.was_passed = served.was_passed || is_passed;
     if (!is_late || is_passed) {
       served.waiting.end();
@@ -110,13 +110,12 @@ void ServedCalls::check_timeouts(SimTime now) {
   }
 }
 
-void ServedCalls::deliver(SimTime now, RelayServices& relay,
-                          const std::function<bool(const std::string&)>& is_calling) {
+void ServedCalls::deliver(SimTime now, RelayServices& relay, const IsCalling& is_calling) {
   const auto hand_over = [&](const Served& served) {
     const std::optional<CallResult> result =
         served.call.due <= now ? served.attempt->result() : std::nullopt;
     if (!result) return false;
-    if (served.was_passed && is_calling(served.node)) {
+    if (served.was_passed && is_calling(served.node, served.received)) {
       losses_.repeatability().spoil(served.node, now,
                                     "answers a call by radio while it makes one itself");
     }

@@ -28,16 +28,18 @@ class ServedCalls {
   ServedCalls(const ServedCalls&) = delete;
   ServedCalls& operator=(const ServedCalls&) = delete;
 
-  /// Calls the server.
-  void begin(const ServedCall& call);
-  /// All answers that are due are there. A server whose node makes a call by radio itself is not
-  /// waited for: that call may be what the answer needs.
-  bool allows_step(SimTime now, const std::function<bool(const std::string&)>& is_calling);
+  /// Whether a node makes a call by radio that came after the first `received` ones.
+  using IsCalling = std::function<bool(const std::string& node, std::uint64_t received)>;
+
+  /// Calls the server. `received`: how many calls by radio have come from nodes so far.
+  void begin(const ServedCall& call, std::uint64_t received);
+  /// All answers that are due are there. A server whose node makes a call by radio that has come
+  /// since is not waited for: that call may be what the answer needs.
+  bool allows_step(SimTime now, const IsCalling& is_calling);
   /// A server that has been silent for too long is waited for no longer; see LossWatch.
   void check_timeouts(SimTime now);
   /// Hands over the answers that are due.
-  void deliver(SimTime now, RelayServices& relay,
-               const std::function<bool(const std::string&)>& is_calling);
+  void deliver(SimTime now, RelayServices& relay, const IsCalling& is_calling);
   /// Whether the world waits for a node's answer.
   bool waits_for(const std::string& node, SimTime now) const;
   /// A call has ended otherwise: nobody waits for its answer any more.
@@ -49,7 +51,8 @@ class ServedCalls {
   class Attempt;
   struct Served {
     ServedCall call;
-    std::string node;  ///< of the server; "": not known
+    std::string node;            ///< of the server; "": not known
+    std::uint64_t received = 0;  ///< calls that had come when this one was handed over
     std::shared_ptr<Attempt> attempt;
     Waiting waiting;
     bool is_lost = false;     ///< its answer counts when it comes

@@ -18,19 +18,25 @@ namespace trident::sim {
 /// A call of a node, which waits for its result.
 class NodeCall {
  public:
-  NodeCall(RelayService called, std::string caller, std::string bytes, bool is_by_chance)
+  NodeCall(RelayService called, std::string caller, std::string bytes, std::uint64_t index,
+           bool is_by_chance)
       : service(std::move(called)),
         node(std::move(caller)),
         request(std::make_shared<const std::string>(std::move(bytes))),
+        before(index),
         came_as_time_ran(is_by_chance) {}
 
   /// Once.
   void finish(const CallResult& result) { result_.set_value(result); }
   CallResult wait() { return future_.get(); }
+  bool is_of(const std::string& caller, std::uint64_t received) const {
+    return node == caller && before >= received;
+  }
 
   const RelayService service;
   const std::string node;
   const std::shared_ptr<const std::string> request;
+  const std::uint64_t before;  ///< how many had come before
   const bool came_as_time_ran;
 
  private:
@@ -51,8 +57,8 @@ class CallInbox {
     {
       const Lock lock(mutex_);
       if (!end_.empty()) return {0, false, std::make_shared<const std::string>(end_)};
-      call =
-          std::make_shared<NodeCall>(service, node, std::move(request), repeatability_.running());
+      call = std::make_shared<NodeCall>(service, node, std::move(request), received_++,
+                                        repeatability_.running());
       waiting_.push_back(call);
     }
     bell_->ring();
@@ -62,10 +68,14 @@ class CallInbox {
     const Lock lock(mutex_);
     return std::exchange(waiting_, {});
   }
-  bool has_call_of(const std::string& node) const {
+  bool has_call_of(const std::string& node, std::uint64_t received) const {
     const Lock lock(mutex_);
     return std::any_of(waiting_.begin(), waiting_.end(),
-                       [&node](const auto& call) { return call->node == node; });
+                       [&node, received](const auto& call) { return call->is_of(node, received); });
+  }
+  std::uint64_t received() const {
+    const Lock lock(mutex_);
+    return received_;
   }
   std::size_t size() const {
     const Lock lock(mutex_);
@@ -81,6 +91,7 @@ class CallInbox {
   std::shared_ptr<MessageBell> bell_;
   mutable Mutex mutex_;
   std::vector<std::shared_ptr<NodeCall>> waiting_ TRIDENT_GUARDED_BY(mutex_);
+  std::uint64_t received_ TRIDENT_GUARDED_BY(mutex_) = 0;
   std::string end_ TRIDENT_GUARDED_BY(mutex_);  ///< why no call begins any more
 };
 
@@ -203,10 +214,13 @@ void CalledServices::finish(const CallResult& result) {
   in_progress_.erase(call);
 }
 
-bool CalledServices::is_calling(const std::string& node) const {
-  return inbox_->has_call_of(node) ||
-         std::any_of(in_progress_.begin(), in_progress_.end(),
-                     [&node](const auto& entry) { return entry.second->node == node; });
+std::uint64_t CalledServices::received() const { return inbox_->received(); }
+
+bool CalledServices::is_calling(const std::string& node, std::uint64_t received) const {
+  return inbox_->has_call_of(node, received) ||
+         std::any_of(
+             in_progress_.begin(), in_progress_.end(),
+             [&node, received](const auto& entry) { return entry.second->is_of(node, received); });
 }
 
 void CalledServices::abort(const std::string& node, const std::string& why, RelayServices& relay) {

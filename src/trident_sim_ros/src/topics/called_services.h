@@ -45,8 +45,10 @@ class CalledServices {
                const std::function<bool(const std::string&)>& is_expected);
   /// Hands a result to the node that waits for it.
   void finish(const CallResult& result);
-  /// Whether a call of that node has not ended.
-  bool is_calling(const std::string& node) const;
+  /// How many calls have come in all.
+  std::uint64_t received() const;
+  /// Whether a call of that node has not ended that came after the first `received` ones.
+  bool is_calling(const std::string& node, std::uint64_t received = 0) const;
   /// Ends the calls of a node that have begun with an error.
   void abort(const std::string& node, const std::string& why, RelayServices& relay);
   /// Ends those that have not begun, when time begins again.
