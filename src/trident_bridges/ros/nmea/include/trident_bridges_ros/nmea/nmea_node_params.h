@@ -28,8 +28,7 @@ struct NmeaLinkParams {
   void visit(Archive& ar) {
     ar.field(
         "url", url,
-        "udp://, tcp://, tcp-l:// (a server), serial:// or pty://; port 10110, 4800 baud where "
-        "it has none");
+        "udp://, tcp://, tcp-l:// (a server), serial://, pty://; default port 10110, 4800 baud");
     ar.field("sends", sends, "whether what the vehicle's instruments say is sent");
     ar.field("listens", listens, "whether what comes is read");
     ar.field("allow_remote", allow_remote, "may bind or connect to what is not loopback");
