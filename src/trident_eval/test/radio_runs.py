@@ -20,7 +20,8 @@ def entry(rule: str, source: str, destination: str, **more: Any) -> dict[str, An
     counts |= {"delivered": 60, "doubles": 0, "datagrams": 61, "resent": 1}
     named = {"rule": rule, "reliable": True, "deadline_s": 30.0}
     named |= {"source": source, "destination": destination}
-    return named | {"delay_mean_s": 0.0012, "delay_max_s": 0.004} | counts | more
+    delays = {"first_s": 0.5, "delay_mean_s": 0.0012, "delay_max_s": 0.004}
+    return named | delays | counts | more
 
 
 def call_entry(rule: str, caller: str, server: str, **more: Any) -> dict[str, Any]:

@@ -185,6 +185,17 @@ def test_a_rule_of_which_nothing_arrives_fails_the_run(relay: list[dict[str, Any
     assert rows[0]["delay_max_s"] is None
 
 
+@pytest.mark.parametrize(("first_s", "is_reason"), [(59.98, False), (59.1, False), (58.9, True)])
+def test_what_was_sent_at_the_very_end_may_still_be_on_its_path(
+    first_s: float, is_reason: bool
+) -> None:
+    single = entry(DETECTIONS, "uav1", "usv1", offered=1, delivered=0, first_s=first_s)
+    rows, reasons = judge_links({"sim_s": 60.0, "relay": [single]})
+    assert bool(reasons) == is_reason
+    assert rows[0]["satisfied"] != is_reason
+    assert rows[0]["share"] == 0.0
+
+
 ARM = "rule 3 (arm)"
 
 

@@ -20,13 +20,14 @@ struct RelayCounts {
   std::uint64_t offered = 0;     ///< that the topic had
   std::uint64_t thinned = 0;     ///< left out for max_rate
   std::uint64_t superseded = 0;  ///< of a reliable rule: had to go for newer ones, by depth
-  std::uint64_t expired = 0;     ///< too old, at either end or at both
+  std::uint64_t expired = 0;     ///< too old, at either end
   std::uint64_t refused = 0;     ///< larger than the radio's queue, or the queue was full
   std::uint64_t delivered = 0;   ///< whole, each once
   std::uint64_t doubles = 0;     ///< datagrams that had arrived before
   std::uint64_t datagrams = 0;   ///< sent, without acknowledgements
   std::uint64_t resent = 0;      ///< of these those that were sent before
   double delay_s = 0.0, max_delay_s = 0.0;  ///< age as it was delivered: sum, greatest
+  double first_s = -1.0;  ///< when the first was to be sent; negative: there was nothing to send
 
   /// Calls take(name, count) for each count.
   template <class Take>
@@ -92,6 +93,9 @@ class RelayReport {
   virtual std::vector<RelayFlow> flows() const = 0;
   /// Of services by rule, caller and server, as far as there was a call.
   virtual std::vector<CallFlow> calls() const = 0;
+  /// Whether a message of that topic ("uav1/odom") which counts then is left out for max_rate by
+  /// all rules, so that nobody needs its bytes.
+  virtual bool is_thinned(const std::string& topic, SimTime at) const = 0;
   /// From a robot over all hops to another one; ends where no route is known.
   virtual std::vector<std::string> route(const std::string& source,
                                          const std::string& destination) const = 0;

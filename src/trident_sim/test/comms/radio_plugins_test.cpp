@@ -213,17 +213,18 @@ TEST(RadioPorts, LinkStatusCountsOverItsPeriod) {
   ASSERT_EQ(status->count(), 1u);
   EXPECT_EQ(all->value.links.size(), 2u);
   ASSERT_EQ(status->value.links.size(), 1u);
-  const LinkStatusSample& link = status->value.links[0];
+  const LinkStatusSample& sample = status->value.links[0];
+  const RadioLink& link = sample.link;
   EXPECT_EQ(link.source + link.destination, "ab");
   EXPECT_TRUE(link.is_up);
   EXPECT_TRUE(link.has_line_of_sight);
   EXPECT_EQ(link.delivered, 50u);
-  EXPECT_NEAR(link.goodput_bit_s, 8.0 * 1020.0 * 50.0 / 0.5, 1.0);  // 15 + 5 bytes more
-  EXPECT_GT(link.latency_s, 0.0002);
-  EXPECT_LT(link.latency_s, 0.003);
-  EXPECT_GT(link.jitter_s, 0.0);
-  EXPECT_GT(link.airtime_share, 0.01);
-  EXPECT_LT(link.airtime_share, 0.2);
+  EXPECT_NEAR(sample.goodput_bit_s, 8.0 * 1020.0 * 50.0 / 0.5, 1.0);  // 15 + 5 bytes more
+  EXPECT_GT(sample.latency_s, 0.0002);
+  EXPECT_LT(sample.latency_s, 0.003);
+  EXPECT_GT(sample.jitter_s, 0.0);
+  EXPECT_GT(sample.airtime_share, 0.01);
+  EXPECT_LT(sample.airtime_share, 0.2);
   EXPECT_NEAR(link.rssi_dbm - link.snr_db, -94.0, 0.02);
   two.world->step(50);
   EXPECT_EQ(status->value.links[0].goodput_bit_s, 0.0);

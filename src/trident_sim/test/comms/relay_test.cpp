@@ -13,6 +13,7 @@
 #include "comms/relay/relay.h"
 #include "comms/relay/relay_rules.h"
 #include "trident_base/random_stream.h"
+#include "trident_sim/bytes_sample.h"
 
 namespace trident::sim {
 namespace {
@@ -339,6 +340,38 @@ TEST(Relay, MaxRateIsTheMeanRate) {
   for (std::uint64_t i = 0; i < 1000; ++i) rig.step({message(i, rig.radio.now)});
   EXPECT_NEAR(static_cast<double>(rig.received["b"].size()), 300.0, 1.0);
   EXPECT_EQ(rig.counts().thinned + rig.received["b"].size(), 1000u);
+}
+
+TEST(Relay, WhatIsThinnedNeedsNoBytes) {
+  RelayRule limited = rule(Reliability::kBestEffort, 10, 0.0);
+  limited.max_rate_hz = 30.0;
+  Rig with({limited}), without({limited});
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    with.step({message(i, with.radio.now)});
+    RelayMessage bare = message(i, without.radio.now);
+    if (without.relay.is_thinned(0, "a", without.radio.now)) bare.data = nullptr;
+    without.step({bare});
+  }
+  EXPECT_EQ(without.received["b"], with.received["b"]);
+  EXPECT_EQ(without.counts().thinned, with.counts().thinned);
+  EXPECT_FALSE(without.relay.is_thinned(0, "c", without.radio.now)) << "it has had no message";
+}
+
+TEST(Relay, WhenTheFirstMessageWasToBeSentIsKnown) {
+  Rig rig({rule(Reliability::kReliable, 10, 0.0)});
+  rig.step();
+  rig.step({message(0, rig.radio.now)});
+  rig.step({message(1, rig.radio.now)});
+  EXPECT_EQ(rig.counts().first_s, 0.01);
+}
+
+TEST(StampUse, AMessageCountsAtItsStampUnlessThatIsOfAnotherClock) {
+  const SimTime now = SimTime::from_seconds(5.0);
+  EXPECT_EQ(stamp_use({}, now), StampUse::kNow);
+  EXPECT_EQ(stamp_use(now, now), StampUse::kNow);
+  EXPECT_EQ(stamp_use(now + SimTime{1}, now), StampUse::kAtItsStamp);
+  EXPECT_EQ(stamp_use(now + kFarAhead, now), StampUse::kAtItsStamp);
+  EXPECT_EQ(stamp_use(now + kFarAhead + SimTime{1}, now), StampUse::kOfOtherClock);
 }
 
 TEST(Relay, WhatCannotBeIsReportedOnce) {

@@ -36,11 +36,13 @@ class RelayWorld {
     world.add(robot);
   }
   /// As a node outside would.
-  void write(const std::string& topic, const std::string& data, SimTime stamp = {}) {
+  void write(const std::string& topic, const std::string& data, SimTime stamp = {},
+             bool is_latched = false) {
     InPort<BytesSample>* const port = world->ports().find_in<BytesSample>(topic);
     ASSERT_NE(port, nullptr) << topic;
-    port->write({stamp, std::make_shared<const std::string>(data), {}});
+    port->write({stamp, std::make_shared<const std::string>(data), {}, is_latched});
   }
+  void latch(const std::string& topic, const std::string& data) { write(topic, data, {}, true); }
   /// Steps and appends what `topic` has.
   void step(int steps, const std::string& topic, std::vector<std::string>* heard) {
     const OutPort<BytesSample>* const port = world->ports().find_out<BytesSample>(topic);

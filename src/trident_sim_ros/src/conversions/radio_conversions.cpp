@@ -9,26 +9,27 @@ namespace trident::sim {
 namespace {
 
 void convert(const LinkStatusSample& sample, trident_msgs::LinkStatus& message) {
-  message.source = sample.source;
-  message.destination = sample.destination;
-  message.distance = static_cast<float>(sample.distance_m);
-  message.rssi_dbm = static_cast<float>(sample.rssi_dbm);
-  message.snr_db = static_cast<float>(sample.snr_db);
-  message.mcs = static_cast<std::int8_t>(sample.mcs);
-  message.rate_bps = static_cast<float>(sample.rate_bit_s);
-  message.packet_error_rate = static_cast<float>(sample.packet_error_rate);
+  const RadioLink& link = sample.link;
+  message.source = link.source;
+  message.destination = link.destination;
+  message.distance = static_cast<float>(link.distance_m);
+  message.rssi_dbm = static_cast<float>(link.rssi_dbm);
+  message.snr_db = static_cast<float>(link.snr_db);
+  message.mcs = static_cast<std::int8_t>(link.mcs);
+  message.rate_bps = static_cast<float>(link.rate_bit_s);
+  message.packet_error_rate = static_cast<float>(link.packet_error_rate);
   message.latency = static_cast<float>(sample.latency_s);
   message.jitter = static_cast<float>(sample.jitter_s);
   message.goodput_bps = static_cast<float>(sample.goodput_bit_s);
-  message.queue_bytes = static_cast<float>(sample.queue_bytes);
+  message.queue_bytes = static_cast<float>(link.queue_bytes);
   message.airtime_share = static_cast<float>(sample.airtime_share);
-  message.sent = sample.sent;
-  message.delivered = sample.delivered;
-  message.dropped_queue = sample.dropped_queue;
-  message.dropped_air = sample.dropped_air;
-  message.expired = sample.expired;
-  message.up = sample.is_up ? 1 : 0;
-  message.line_of_sight = sample.has_line_of_sight ? 1 : 0;
+  message.sent = link.sent;
+  message.delivered = link.delivered;
+  message.dropped_queue = link.refused;
+  message.dropped_air = link.lost;
+  message.expired = link.expired;
+  message.up = link.is_up ? 1 : 0;
+  message.line_of_sight = link.has_line_of_sight ? 1 : 0;
   message.route = sample.route;
 }
 

@@ -96,10 +96,11 @@ void write_relay(std::FILE* file, const RelayReport& relay) {
   for (const RelayFlow& flow : relay.flows()) {
     std::fprintf(file,
                  "%s{\"rule\": \"%s\", \"reliable\": %s, \"deadline_s\": %.9g, \"source\": \"%s\", "
-                 "\"destination\": \"%s\", \"delay_max_s\": %.9g",
+                 "\"destination\": \"%s\", \"first_s\": %.9g, \"delay_max_s\": %.9g",
                  separator, json_escaped(flow.rule).c_str(), flow.is_reliable ? "true" : "false",
                  flow.deadline_s, json_escaped(flow.source).c_str(),
-                 json_escaped(flow.destination).c_str(), flow.counts.max_delay_s);
+                 json_escaped(flow.destination).c_str(), std::max(flow.counts.first_s, 0.0),
+                 flow.counts.max_delay_s);
     write_mean(file, flow.counts.delay_s, flow.counts.delivered);
     write_counts(file, flow.counts);
     separator = ", ";

@@ -16,6 +16,8 @@ from trident_eval.core.verdict import Verdict
 #: As a destination: a broadcast as it was sent; what arrived is in the entries of its receivers.
 ALL = "all"
 _ROUNDING_S = 1e-9
+#: What was sent so shortly before the end may still be on its path.
+_ON_ITS_PATH_S = 1.0
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,7 @@ class RelayFlow:
         doubles: datagrams that had arrived before.
         datagrams: that were sent.
         resent: of these, those that were sent before.
+        first_s: simulated time at which the first was to be sent [s]; 0: none was.
         delay_mean_s: age at the delivery [s]; 0: nothing was delivered.
         delay_max_s: the same, the greatest.
     """
@@ -55,6 +58,7 @@ class RelayFlow:
     doubles: int
     datagrams: int
     resent: int
+    first_s: float
     delay_mean_s: float
     delay_max_s: float
 
@@ -205,24 +209,31 @@ def judge_links(
     rows: list[dict[str, Any]] = []
     reasons: list[str] = []
     for flows in groups.values():
-        found = _rows_of_source(flows)
+        nothing = not any(flow.delivered for flow in flows) and _had_time(flows, run)
+        found = _rows_of_source(flows, nothing)
         rows += found
-        reasons += _reasons(flows, max(row["offered"] for row in found))
+        reasons += _reasons(flows, max(row["offered"] for row in found), nothing)
     return rows, reasons
 
 
-def _rows_of_source(flows: list[RelayFlow]) -> list[dict[str, Any]]:
-    """Rows of one rule and source."""
+def _had_time(flows: list[RelayFlow], run: dict[str, Any]) -> bool:
+    """Whether something of one rule and source was sent so early that it would have arrived."""
+    end_s = run.get("sim_s")
+    last_s = end_s - _ON_ITS_PATH_S if isinstance(end_s, int | float) else math.inf
+    return any(flow.to_send and flow.first_s <= last_s for flow in flows)
+
+
+def _rows_of_source(flows: list[RelayFlow], nothing: bool) -> list[dict[str, Any]]:
+    """Rows of one rule and source. `nothing`: there was time, and nothing has arrived."""
     broadcast = sum(flow.to_send for flow in flows if flow.destination == ALL)
-    has_arrived = any(flow.delivered for flow in flows)
     rows = []
     for flow in [flow for flow in flows if flow.destination != ALL] or flows:
         own = 0 if flow.destination == ALL else flow.to_send
-        rows.append(_row(flow, own + broadcast, has_arrived))
+        rows.append(_row(flow, own + broadcast, nothing))
     return rows
 
 
-def _row(flow: RelayFlow, offered: int, has_arrived: bool) -> dict[str, Any]:
+def _row(flow: RelayFlow, offered: int, nothing: bool) -> dict[str, Any]:
     return {
         "rule": flow.rule,
         "source": flow.source,
@@ -234,14 +245,14 @@ def _row(flow: RelayFlow, offered: int, has_arrived: bool) -> dict[str, Any]:
         "share": flow.delivered / offered if offered else None,
         "delay_mean_s": flow.delay_mean_s if flow.delivered else None,
         "delay_max_s": flow.delay_max_s if flow.delivered else None,
-        "satisfied": (has_arrived or not offered) and not flow.is_late,
+        "satisfied": not (nothing and offered) and not flow.is_late,
     }
 
 
-def _reasons(flows: list[RelayFlow], offered: int) -> list[str]:
+def _reasons(flows: list[RelayFlow], offered: int, nothing: bool) -> list[str]:
     """Against one rule and source."""
     rule, source = flows[0].rule, flows[0].source
-    if offered and not any(flow.delivered for flow in flows):
+    if nothing and offered:
         count = f"{offered} message{'s' * (offered != 1)}"
         return [f"{rule}: nothing of {count} of {source} has arrived"]
     return [

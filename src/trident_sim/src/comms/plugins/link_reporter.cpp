@@ -14,14 +14,7 @@ LinkStatusSample LinkReporter::status(const RadioLink& link, double elapsed_s) c
   // Counts that have fallen are those of a robot that was replaced.
   if (known != last_.end() && known->second.sent <= link.sent) before = known->second;
   LinkStatusSample result;
-  result.source = link.source;
-  result.destination = link.destination;
-  result.distance_m = link.distance_m;
-  result.rssi_dbm = link.rssi_dbm;
-  result.snr_db = link.snr_db;
-  result.mcs = link.mcs;
-  result.rate_bit_s = link.rate_bit_s;
-  result.packet_error_rate = link.packet_error_rate;
+  result.link = link;
   const auto count = static_cast<double>(link.delivered - before.delivered);
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   const double mean_s = (link.delay_s - before.delay_s) / count;
@@ -32,14 +25,6 @@ LinkStatusSample LinkReporter::status(const RadioLink& link, double elapsed_s) c
     result.goodput_bit_s = 8.0 * static_cast<double>(link.bytes - before.bytes) / elapsed_s;
     result.airtime_share = (link.airtime_s - before.airtime_s) / elapsed_s;
   }
-  result.queue_bytes = link.queue_bytes;
-  result.sent = link.sent;
-  result.delivered = link.delivered;
-  result.dropped_queue = link.refused;
-  result.dropped_air = link.lost;
-  result.expired = link.expired;
-  result.is_up = link.is_up;
-  result.has_line_of_sight = link.has_line_of_sight;
   return result;
 }
 

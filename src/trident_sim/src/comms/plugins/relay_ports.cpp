@@ -62,6 +62,8 @@ void RelayPorts::add_outputs(const std::vector<std::string>& robots) {
 
 void RelayPorts::set_robots(const std::vector<std::string>& robots) {
   if (robots == robots_) return;
+  std::set_difference(robots.begin(), robots.end(), robots_.begin(), robots_.end(),
+                      std::back_inserter(newcomers_));
   robots_ = robots;
   relay_.set_robots(robots);
   calls_.set_robots(robots, relay_.rules());
@@ -71,6 +73,10 @@ void RelayPorts::set_robots(const std::vector<std::string>& robots) {
   later_.erase(std::remove_if(later_.begin(), later_.end(),
                               [&](const Later& later) { return is_gone(later.robot); }),
                later_.end());
+  newcomers_.erase(std::remove_if(newcomers_.begin(), newcomers_.end(), is_gone), newcomers_.end());
+  for (auto kept = latched_.begin(); kept != latched_.end();) {
+    kept = is_gone(kept->first.second) ? latched_.erase(kept) : std::next(kept);
+  }
   for (auto output = outputs_.begin(); output != outputs_.end();) {
     const auto& [rule, source, receiver] = output->first;
     output = is_gone(source) || is_gone(receiver) ? outputs_.erase(output) : std::next(output);
@@ -86,7 +92,20 @@ void RelayPorts::set_robots(const std::vector<std::string>& robots) {
 void RelayPorts::offer(std::size_t rule, const std::string& robot, const BytesSample& sample,
                        SimTime now, Radio& radio) {
   const SimTime born = sample.stamp.ns > 0 ? std::min(sample.stamp, now) : now;
+  if (sample.is_latched && sample.data != nullptr) latched_[{rule, robot}] = sample;
   relay_.offer(rule, robot, {born, sample.data}, now, radio);
+}
+
+/// As a subscriber that comes late has the newest message of a latched topic, so has a robot.
+void RelayPorts::offer_latched(SimTime now, Radio& radio) {
+  for (const std::string& robot : newcomers_) {
+    for (const auto& [key, sample] : latched_) {
+      const auto& [rule, source] = key;
+      if (source == robot || !relay_.rules()[rule].is_to(robot)) continue;
+      relay_.offer_again({rule, source, robot}, {now, sample.data}, now, radio);
+    }
+  }
+  newcomers_.clear();
 }
 
 void RelayPorts::read(Input& input, SimTime now, Radio& radio) {
@@ -98,17 +117,17 @@ void RelayPorts::read(Input& input, SimTime now, Radio& radio) {
   }
   for (input.seen = kept; input.seen < input.port->count(); ++input.seen) {
     const BytesSample& sample = input.port->at(input.seen);
-    const bool is_far = sample.stamp - now > kFarAhead;
-    if (is_far && !std::exchange(input.has_reported_stamp, true)) {
+    const StampUse use = stamp_use(sample.stamp, now);
+    if (use == StampUse::kOfOtherClock && !std::exchange(input.has_reported_stamp, true)) {
       report(input.port->name() + ": a stamp is " + number_text((sample.stamp - now).seconds()) +
              " s ahead of the simulated time, legal: at most " + number_text(kFarAhead.seconds()) +
              "; its messages count as they come, so that a run with them does not repeat");
     }
     for (const std::size_t rule : input.rules) {
-      if (sample.stamp <= now || is_far) {
-        offer(rule, input.robot, sample, now, radio);
-      } else {
+      if (use == StampUse::kAtItsStamp) {
         later_.push_back({rule, input.robot, sample});
+      } else {
+        offer(rule, input.robot, sample, now, radio);
       }
     }
   }
@@ -127,6 +146,7 @@ void RelayPorts::offer_due(SimTime now, Radio& radio) {
 }
 
 void RelayPorts::send(SimTime begin, Radio& radio) {
+  offer_latched(begin, radio);
   offer_due(begin, radio);
   for (auto& [name, input] : inputs_) read(input, begin, radio);
   relay_.send(begin, radio);
@@ -196,6 +216,7 @@ void RelayPorts::reset() {
   relay_.reset();
   calls_.reset(relay_.rules());
   later_.clear();
+  newcomers_ = robots_;  // nobody sends a latched message again, and a run begins with it
   has_looked_for_idle_ = false;
   for (auto& [name, input] : inputs_) {
     input.port->clear();
@@ -204,7 +225,7 @@ void RelayPorts::reset() {
 }
 
 void RelayPorts::state(StateArchive& archive) {
-  archive(relay_, calls_, later_, has_looked_for_idle_);
+  archive(relay_, calls_, later_, latched_, newcomers_, has_looked_for_idle_);
   for (auto& [name, input] : inputs_) archive(input.seen);
 }
 
@@ -217,6 +238,15 @@ std::vector<RelayFlow> RelayPorts::flows() const {
                       key.destination, counts});
   }
   return result;
+}
+
+bool RelayPorts::is_thinned(const std::string& topic, SimTime at) const {
+  const auto input = inputs_.find(topic);
+  if (input == inputs_.end()) return false;
+  const std::vector<std::size_t>& rules = input->second.rules;
+  return std::all_of(rules.begin(), rules.end(), [&](std::size_t rule) {
+    return relay_.is_thinned(rule, input->second.robot, at);
+  });
 }
 
 std::vector<CallFlow> RelayPorts::calls() const {

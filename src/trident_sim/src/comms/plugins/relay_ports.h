@@ -37,6 +37,7 @@ class RelayPorts : public RelayReport, public RelayServices {
 
   std::vector<RelayFlow> flows() const override;
   std::vector<CallFlow> calls() const override;
+  bool is_thinned(const std::string& topic, SimTime at) const override;
   std::vector<std::string> route(const std::string& source,
                                  const std::string& destination) const override {
     return relay_.network().route(source, destination);
@@ -66,6 +67,7 @@ class RelayPorts : public RelayReport, public RelayServices {
     BytesSample sample;
   };
   using OutputKey = std::tuple<std::size_t, std::string, std::string>;  ///< rule, source, receiver
+  using Latched = std::map<std::pair<std::size_t, std::string>, BytesSample>;  ///< rule, source
 
   void report(const std::string& text);
   void add_inputs(const std::vector<std::string>& robots);
@@ -74,6 +76,7 @@ class RelayPorts : public RelayReport, public RelayServices {
   void offer(std::size_t rule, const std::string& robot, const BytesSample& sample, SimTime now,
              Radio& radio);
   void offer_due(SimTime now, Radio& radio);
+  void offer_latched(SimTime now, Radio& radio);
   void publish(const RelayDelivery& delivery);
   std::vector<std::string> missing_radios(const RelayRule& rule) const;
   bool has_heard(std::size_t rule) const;
@@ -88,7 +91,9 @@ class RelayPorts : public RelayReport, public RelayServices {
   // What changes from step to step.
   Relay relay_;
   RelayCalls calls_;
-  std::vector<Later> later_;  ///< by arrival
+  std::vector<Later> later_;            ///< by arrival
+  Latched latched_;                     ///< newest of topics that are latched
+  std::vector<std::string> newcomers_;  ///< robots that have not got these
   bool has_looked_for_idle_ = false;
 };
 

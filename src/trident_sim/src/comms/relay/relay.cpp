@@ -67,8 +67,13 @@ void Relay::reset() {
   counts_.clear();
 }
 
+bool Relay::is_thinned(std::size_t rule, const std::string& source, SimTime at) const {
+  const auto topic = topics_.find({rule, source});
+  return rules_[rule].max_rate_hz > 0.0 && topic != topics_.end() && at < topic->second.due;
+}
+
 /// The mean rate is the limit; after a pause there is no burst.
-bool Relay::is_thinned(const RelayRule& rule, Topic* topic, SimTime now) {
+bool Relay::thin(const RelayRule& rule, Topic* topic, SimTime now) {
   if (rule.max_rate_hz <= 0.0) return false;
   if (now < topic->due) return true;
   const SimTime period = SimTime::from_seconds(1.0 / rule.max_rate_hz);
@@ -135,8 +140,8 @@ void Relay::offer(std::size_t rule_index, const std::string& source, const Relay
   const RelayRule& rule = rules_[rule_index];
   const std::pair<std::size_t, std::string> topic_key{rule_index, source};
   Topic& topic = topics_[topic_key];
-  const bool thinned = is_thinned(rule, &topic, now);
-  const std::size_t bytes = message.data->size();
+  const bool thinned = message.data == nullptr || thin(rule, &topic, now);
+  const std::size_t bytes = thinned ? 0 : message.data->size();
   if (!thinned) check_rate(topic_key, &topic, bytes, now, radio);
   const bool too_large = !thinned && is_too_large(topic_key, &topic, bytes, radio);
   const std::uint64_t number = topic.next_number++;
@@ -146,13 +151,27 @@ void Relay::offer(std::size_t rule_index, const std::string& source, const Relay
     ++counts.offered;
     counts.thinned += thinned ? 1 : 0;
     counts.refused += too_large ? 1 : 0;
-    if (thinned || too_large) continue;
-    if (!rule.is_reliable()) {
-      send_once(key, message, number, now, radio);
-      continue;
-    }
-    sender(key).add(message, &counts);
+    if (!thinned && !too_large) send_to(key, message, number, now, radio);
   }
+}
+
+void Relay::send_to(const Key& key, const RelayMessage& message, std::uint64_t number, SimTime now,
+                    Radio& radio) {
+  RelayCounts& counts = counts_[key];
+  if (counts.first_s < 0.0) counts.first_s = now.seconds();
+  if (rules_[key.rule].is_reliable()) {
+    sender(key).add(message, passed(key), &counts);
+  } else {
+    send_once(key, message, number, now, radio);
+  }
+}
+
+void Relay::offer_again(const Key& key, const RelayMessage& message, SimTime now, Radio& radio) {
+  const std::pair<std::size_t, std::string> topic_key{key.rule, key.source};
+  Topic& topic = topics_[topic_key];
+  if (is_too_large(topic_key, &topic, message.data->size(), radio)) return;
+  ++counts_[key].offered;
+  send_to(key, message, topic.next_number++, now, radio);
 }
 
 /// Of calls none has to go for newer ones: who waits for one would never hear of it.
@@ -165,11 +184,18 @@ ReliableSender& Relay::sender(const Key& key) {
       .first->second;
 }
 
+/// Both ends are here, so that no message is counted at both of them.
+std::uint64_t Relay::passed(const Key& key) const {
+  const auto receiver = reliable_.find(key);
+  return receiver == reliable_.end() ? 0 : receiver->second.next();
+}
+
 bool Relay::post(const Key& key, std::string data, SimTime born) {
   if (data.size() > kMaxBytes) return false;
   RelayCounts& counts = counts_[key];
   ++counts.offered;
-  sender(key).add({born, std::make_shared<const std::string>(std::move(data))}, &counts);
+  sender(key).add({born, std::make_shared<const std::string>(std::move(data))}, passed(key),
+                  &counts);
   return true;
 }
 
@@ -185,7 +211,10 @@ void Relay::send_once(const Key& key, const RelayMessage& message, std::uint64_t
     ++counts.expired;
     return;
   }
-  qos.history = {static_cast<std::uint32_t>(key.rule + 1), rule.depth, number, true};
+  // By the destination: on their path to the next hop those of several would be one flow.
+  std::uint32_t& flow = topics_[{key.rule, key.source}].flows[key.destination];
+  if (flow == 0) flow = next_flow_++;
+  qos.history = {flow, rule.depth, number, true};
   PartDatagram part;
   part.rule = static_cast<std::uint16_t>(key.rule);
   part.number = number;
@@ -209,7 +238,7 @@ void Relay::send(SimTime now, Radio& radio) {
     RadioQos qos;
     qos.port = kRelayPort;
     qos.priority = rules_[key.rule].priority;
-    while (const auto part = sender.next(now, &counts)) {
+    while (const auto part = sender.next(now, passed(key), &counts)) {
       // A full queue is not a loss: it is tried again in the next step.
       if (!network_.send(key.source, key.destination, encode(*part), qos, now, radio)) break;
       sender.sent(now, &counts);
@@ -224,8 +253,10 @@ void Relay::take_part(const Key& key, const PartDatagram& part, SimTime now,
   const SimTime deadline = SimTime::from_seconds(rule.deadline_s);
   std::vector<RelayMessage> messages;
   if (rule.is_reliable()) {
+    const auto sender = senders_.find(key);
+    const std::uint64_t given_up = sender == senders_.end() ? 0 : sender->second.first();
     reliable_.try_emplace(key, part.rule, deadline)
-        .first->second.take(part, now, &messages, &counts);
+        .first->second.take(part, now, given_up, &messages, &counts);
   } else if (auto message =
                  best_effort_.try_emplace(key, deadline).first->second.take(part, now, &counts)) {
     messages.push_back(std::move(*message));

@@ -50,9 +50,13 @@ class Relay {
   const RelayNetwork& network() const { return network_; }
   /// Robots with radios, now. What others had sent or were to receive is void.
   void set_robots(const std::vector<std::string>& robots);
-  /// A message of a robot's topic that counts now.
+  /// A message of a robot's topic that counts now. Without data: one that is_thinned().
   void offer(std::size_t rule, const std::string& source, const RelayMessage& message, SimTime now,
              Radio& radio);
+  /// The same again, for one robot alone, whatever max_rate says.
+  void offer_again(const Key& key, const RelayMessage& message, SimTime now, Radio& radio);
+  /// Whether a message of a robot's topic that counted at `at` would be left out for max_rate.
+  bool is_thinned(std::size_t rule, const std::string& source, SimTime at) const;
   /// A message of a service's rule, from robot to robot. False: it has more than kMaxBytes.
   bool post(const Key& key, std::string data, SimTime born);
   /// Gives the radios what reliable flows have to send.
@@ -68,17 +72,21 @@ class Relay {
   struct Topic {
     SimTime due;  ///< from which on max_rate lets the next message pass
     std::uint64_t next_number = 0;
-    SimTime second;           ///< when the present second of counting began
-    std::uint64_t bytes = 0;  ///< in it
+    std::map<std::string, std::uint32_t> flows;  ///< of the radios' queues, by destination
+    SimTime second;                              ///< when the present second of counting began
+    std::uint64_t bytes = 0;                     ///< in it
     bool has_reported_rate = false, has_reported_size = false;
   };
 
-  static bool is_thinned(const RelayRule& rule, Topic* topic, SimTime now);
+  static bool thin(const RelayRule& rule, Topic* topic, SimTime now);
   void check_rate(const std::pair<std::size_t, std::string>& key, Topic* topic, std::size_t bytes,
                   SimTime now, Radio& radio);
   bool is_too_large(const std::pair<std::size_t, std::string>& key, Topic* topic, std::size_t bytes,
                     Radio& radio);
   ReliableSender& sender(const Key& key);
+  std::uint64_t passed(const Key& key) const;
+  void send_to(const Key& key, const RelayMessage& message, std::uint64_t number, SimTime now,
+               Radio& radio);
   std::vector<std::string> destinations(const RelayRule& rule, const std::string& source) const;
   void send_once(const Key& key, const RelayMessage& message, std::uint64_t number, SimTime now,
                  Radio& radio);
@@ -94,6 +102,7 @@ class Relay {
   RelayNetwork network_;
   std::vector<std::string> robots_;
   std::map<std::pair<std::size_t, std::string>, Topic> topics_;  ///< by rule and source
+  std::uint32_t next_flow_ = 1;
   std::map<Key, ReliableSender> senders_;
   std::map<Key, ReliableReceiver> reliable_;
   std::map<Key, BestEffortReceiver> best_effort_;

@@ -19,7 +19,7 @@ bool is_too_old(const RelayMessage& message, SimTime deadline, SimTime now) {
 
 }  // namespace
 
-void ReliableSender::add(const RelayMessage& message, RelayCounts* counts) {
+void ReliableSender::add(const RelayMessage& message, std::uint64_t passed, RelayCounts* counts) {
   const std::size_t parts = part_count(message.data->size());
   for (std::size_t i = 0; i < parts; ++i) {
     Part part;
@@ -28,12 +28,14 @@ void ReliableSender::add(const RelayMessage& message, RelayCounts* counts) {
     part.parts = static_cast<std::uint16_t>(parts);
     parts_.push_back(std::move(part));
   }
-  if (++messages_ <= depth_) return;
-  ++counts->superseded;
-  give_up_front();
+  if (++messages_ > depth_) give_up_front(passed, &counts->superseded);
 }
 
-void ReliableSender::give_up_front() {
+/// A message that the receiver has passed is counted there: that is not known here yet.
+void ReliableSender::give_up_front(std::uint64_t passed, std::uint64_t* count) {
+  const Part& front = parts_.front();
+  const std::uint64_t last = first_ + front.parts - 1U - front.part;
+  if (last >= passed) ++*count;
   do {
     parts_.pop_front();
     ++first_;
@@ -123,10 +125,10 @@ PartDatagram ReliableSender::datagram(std::size_t index) const {
   return result;
 }
 
-std::optional<PartDatagram> ReliableSender::next(SimTime now, RelayCounts* counts) {
+std::optional<PartDatagram> ReliableSender::next(SimTime now, std::uint64_t passed,
+                                                 RelayCounts* counts) {
   while (!parts_.empty() && is_too_old(parts_.front().message, deadline_, now)) {
-    ++counts->expired;
-    give_up_front();
+    give_up_front(passed, &counts->expired);
   }
   if (timeout_.ns == 0) timeout_ = kFirstTimeout;
   is_skip_chosen_ = false;
@@ -161,7 +163,7 @@ void ReliableReceiver::skip_to(std::uint64_t oldest) {
   waiting_.erase(waiting_.begin(), waiting_.lower_bound(oldest));
 }
 
-void ReliableReceiver::take(const PartDatagram& part, SimTime now,
+void ReliableReceiver::take(const PartDatagram& part, SimTime now, std::uint64_t given_up,
                             std::vector<RelayMessage>* messages, RelayCounts* counts) {
   is_ack_due_ = true;
   skip_to(part.oldest);
@@ -177,9 +179,12 @@ void ReliableReceiver::take(const PartDatagram& part, SimTime now,
     if (at->second.part + 1 < at->second.parts) continue;
     RelayMessage message{at->second.born, std::make_shared<const std::string>(std::move(begun_))};
     begun_.clear();
+    const bool was_given_up = next_ < given_up;
     if (is_too_old(message, deadline_, now)) {
-      ++counts->expired;
+      if (!was_given_up) ++counts->expired;
     } else {
+      // It was on its path when a newer one took its place.
+      if (was_given_up) --counts->superseded;
       messages->push_back(std::move(message));
     }
   }

@@ -25,12 +25,16 @@ class ReliableSender {
   ReliableSender(std::uint16_t rule, int depth, SimTime deadline)
       : rule_(rule), depth_(static_cast<std::size_t>(depth)), deadline_(deadline) {}
 
-  void add(const RelayMessage& message, RelayCounts* counts);
+  /// `passed`, here and below: the part that the receiver continues with. Who is before it is
+  /// counted there.
+  void add(const RelayMessage& message, std::uint64_t passed, RelayCounts* counts);
   void acknowledge(const AckDatagram& ack, SimTime now);
   /// The first of what is to be sent now; empty: nothing. The caller sends it and says so by
   /// sent(), or asks again later.
-  std::optional<PartDatagram> next(SimTime now, RelayCounts* counts);
+  std::optional<PartDatagram> next(SimTime now, std::uint64_t passed, RelayCounts* counts);
   void sent(SimTime now, RelayCounts* counts);
+  /// Parts before this one were acknowledged, or given up.
+  std::uint64_t first() const { return first_; }
   /// Nothing waits, neither to be sent nor for an acknowledgement.
   bool is_idle() const { return parts_.empty() && acknowledged_ >= first_; }
 
@@ -43,7 +47,7 @@ class ReliableSender {
     bool is_acknowledged = false;
   };
 
-  void give_up_front();
+  void give_up_front(std::uint64_t passed, std::uint64_t* count);
   void note_arrival(Part* part, SimTime now);
   void measure(SimTime round_trip);
   bool is_lost(const Part& part, SimTime now) const;
@@ -71,9 +75,12 @@ class ReliableReceiver {
  public:
   ReliableReceiver(std::uint16_t rule, SimTime deadline) : rule_(rule), deadline_(deadline) {}
 
-  /// Appends the messages that are whole now, in order.
-  void take(const PartDatagram& part, SimTime now, std::vector<RelayMessage>* messages,
-            RelayCounts* counts);
+  /// Appends the messages that are whole now, in order. `given_up`: messages of parts before this
+  /// one have been counted by the sender, as expired or superseded.
+  void take(const PartDatagram& part, SimTime now, std::uint64_t given_up,
+            std::vector<RelayMessage>* messages, RelayCounts* counts);
+  /// The part that it continues with.
+  std::uint64_t next() const { return next_; }
   /// To be sent once after what was taken; empty: nothing came.
   std::optional<AckDatagram> take_ack();
 
