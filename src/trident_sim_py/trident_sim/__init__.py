@@ -18,6 +18,7 @@ from trident_base.moved_modules import keep_old_names
 from trident_sim._core import (
     ActuatorCommand,
     ActuatorState,
+    BatterySample,
     BoundingBox,
     BoundingBoxesSample,
     CameraInfoSample,
@@ -84,6 +85,7 @@ keep_old_names({"trident_sim.worldgen": "trident_worldgen"})
 __all__ = [
     "ActuatorCommand",
     "ActuatorState",
+    "BatterySample",
     "BoundingBox",
     "BoundingBoxesSample",
     "CameraInfoSample",

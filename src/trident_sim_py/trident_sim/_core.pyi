@@ -527,6 +527,24 @@ class NumberSample(_Stamped):
     def value(self) -> float:
         """In the unit of the quantity."""
 
+class BatterySample(_Stamped):
+    """State of a battery."""
+    @property
+    def voltage(self) -> float:
+        """At its terminals, under load [V]."""
+    @property
+    def current(self) -> float:
+        """Drawn from it [A]."""
+    @property
+    def charge(self) -> float:
+        """That is left [Ah]."""
+    @property
+    def capacity(self) -> float:
+        """When full [Ah]."""
+    @property
+    def percentage(self) -> float:
+        """Charge over capacity, 0 to 1."""
+
 class WindReadingSample(_Stamped):
     """Speed and angle of the wind."""
     @property
