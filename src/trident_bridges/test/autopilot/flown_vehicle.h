@@ -3,12 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "autopilot/obedient_body.h"
 #include "trident_bridges/autopilot/autopilot.h"
 
 namespace trident::bridges {
@@ -46,8 +46,7 @@ inline Target place(double x, double y, double z) {
   return target;
 }
 
-/// An autopilot and a body that obeys it: a multirotor is where its reference is, but for the
-/// ground; others go straight to a leg's end. 50 steps a second.
+/// An autopilot and a body that obeys it. 50 steps a second.
 class FlownVehicle {
  public:
   explicit FlownVehicle(Flavor flavor, VehicleClass vehicle = VehicleClass::kMultirotor)
@@ -60,7 +59,7 @@ class FlownVehicle {
   void step() {
     now = now + SimTime{20'000'000};
     if (has_position) state.position_stamp = now;
-    obey(pilot.step(now, state));
+    obey(pilot.step(now, state), 0.02, state);
     for (const AutopilotEvent& event : pilot.take_events()) {
       if (event.kind == AutopilotEvent::Kind::kText) texts.push_back(event.text);
       if (event.kind == AutopilotEvent::Kind::kMissionReached) reached.push_back(event.index);
@@ -114,26 +113,6 @@ class FlownVehicle {
   std::vector<std::string> texts;
   std::vector<int> reached;
   std::vector<Eigen::Vector3d> track;
-
- private:
-  void obey(const Setpoint& setpoint) {
-    const Eigen::Vector3d before = state.p_world_m;
-    if (setpoint.kind == Setpoint::Kind::kTrajectory) {
-      state.p_world_m = setpoint.p_m;
-      state.R_world_body = Eigen::AngleAxisd(setpoint.yaw, Eigen::Vector3d::UnitZ());
-    } else if (setpoint.kind == Setpoint::Kind::kLeg) {
-      const Eigen::Vector3d to_go = setpoint.p_m - state.p_world_m;
-      const double step_m = std::min(to_go.norm(), 0.02 * setpoint.speed_m_s);
-      if (step_m > 0.0) state.p_world_m += step_m * to_go.normalized();
-    } else if (setpoint.kind == Setpoint::Kind::kDrive) {
-      const double yaw = state.yaw() + 0.02 * setpoint.yaw_rate;
-      state.R_world_body = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ());
-      state.p_world_m +=
-          0.02 * setpoint.speed_m_s * Eigen::Vector3d(std::cos(yaw), std::sin(yaw), 0);
-    }
-    state.p_world_m.z() = std::max(state.p_world_m.z(), 0.0);
-    state.v_world_m_s = (state.p_world_m - before) / 0.02;
-  }
 };
 
 }  // namespace trident::bridges

@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_bridges/vehicle/mavlink_vehicle.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "trident_bridges/mavlink/dialect.h"
+#include "trident_bridges/mavlink/small_services.h"
+#include "trident_bridges/mavlink/timesync.h"
+#include "trident_bridges/vehicle/commands.h"
+#include "trident_bridges/vehicle/missions.h"
+#include "trident_bridges/vehicle/targets.h"
+
+namespace trident::bridges::mavlink {
+namespace {
+
+constexpr double kGroundStationTimeout_s = 10.0;  // of the monitor alone, which nobody hears
+constexpr double kSameRefusal_s = 5.0;            // between two texts about set-points
+
+Flavor flavor_of(AutopilotFlavour flavour) {
+  return flavour == AutopilotFlavour::kPx4 ? Flavor::kPx4 : Flavor::kArduPilot;
+}
+
+VehicleClass class_of(VehicleKind kind) {
+  if (kind == VehicleKind::kRover) return VehicleClass::kGround;
+  return kind == VehicleKind::kBoat ? VehicleClass::kVessel : VehicleClass::kMultirotor;
+}
+
+std::vector<Parameter> parameters_of(const ParameterTable& table) {
+  std::vector<Parameter> parameters;
+  for (const bridges::Parameter& one : table.all()) {
+    const ParameterType type = one.is_integer ? ParameterType::kInt32 : ParameterType::kReal32;
+    parameters.push_back({one.name, type, one.value, one.min, one.max});
+  }
+  return parameters;
+}
+
+/// Firmware whose modes, names and rules are imitated.
+VehicleVersion version_of(const MavlinkVehicleOptions& options) {
+  VehicleVersion version;
+  version.is_px4 = options.flavour == AutopilotFlavour::kPx4;
+  version.major = version.is_px4 ? 1 : 4;
+  version.minor = version.is_px4 ? 15 : 6;
+  version.uid = options.system_id;
+  return version;
+}
+
+}  // namespace
+
+MavlinkVehicle::MavlinkVehicle(const MavlinkVehicleOptions& options, MessageSink send)
+    : options_(options),
+      self_{options.system_id, MAV_COMP_ID_AUTOPILOT1},
+      send_(std::move(send)),
+      geo_(options.origin),
+      clock_(options.utc_start),
+      autopilot_({flavor_of(options.flavour), class_of(options.kind), options.system_id}),
+      commands_(
+          self_, send_,
+          [this](const Command& command, SimTime now) { return execute(command, now); },
+          [this](const std::string& reason) { say(Severity::kError, reason); }),
+      missions_(self_, send_, mission_events()),
+      parameters_(self_, send_,
+                  options.flavour == AutopilotFlavour::kPx4 ? ParameterEncoding::kBytewise
+                                                            : ParameterEncoding::kCast,
+                  parameters_of(autopilot_.parameters()),
+                  {[this](const Parameter& one) { autopilot_.set_parameter(one.name, one.value); },
+                   [this](const std::string& reason) { say(Severity::kError, reason); }}),
+      streams_(self_, send_, vehicle_stream_rates(), [this](std::uint32_t id) { return emit(id); }),
+      heartbeats_(kGroundStationTimeout_s, {}, {}),
+      texts_(self_),
+      sticks_(self_, class_of(options.kind)) {}
+
+PlaceContext MavlinkVehicle::places() const {
+  return {geo_, autopilot_.home().value_or(Eigen::Vector3d::Zero()), newest_.state.p_world_m,
+          newest_.state.yaw()};
+}
+
+void MavlinkVehicle::say(Severity severity, const std::string& text) {
+  for (const Message& message : texts_.write(severity, text)) send_(message);
+}
+
+bool MavlinkVehicle::emit(std::uint32_t id) {
+  if (id == MAVLINK_MSG_ID_AUTOPILOT_VERSION) {
+    send_(autopilot_version_message(version_of(options_), self_));
+    return true;
+  }
+  if (id == MAVLINK_MSG_ID_PROTOCOL_VERSION) {
+    send_(protocol_version_message(options_.accept_mavlink1, self_));
+    return true;
+  }
+  const auto message = telemetry_message(id, {self_, options_.kind, options_.flavour, autopilot_,
+                                              newest_.state, readings_, geo_, clock_, newest_.now});
+  if (message) send_(*message);
+  return message.has_value();
+}
+
+bool MavlinkVehicle::handle(const Message& message, const BothTimes& now) {
+  if (message.source == self_) return false;
+  newest_.now = std::max(newest_.now, now.simulated);
+  if (heartbeats_.handle(message, now)) return true;
+  return handle_protocol(message, now.simulated) || handle_set_point(message, now.simulated) ||
+         handle_setting(message, now.simulated) || answer_small_services(message, now.simulated);
+}
+
+bool MavlinkVehicle::handle_protocol(const Message& message, SimTime now) {
+  return commands_.handle(message, now) || missions_.handle(message, now) ||
+         parameters_.handle(message, now) || streams_.handle(message, now);
+}
+
+bool MavlinkVehicle::handle_set_point(const Message& message, SimTime now) {
+  if (const auto received = read_target(message, self_, places())) {
+    if (!received->problem.empty()) {
+      refuse_set_point(received->problem, now);
+      return true;
+    }
+    const Answer answer =
+        autopilot_.set_target(received->target, received->stamp.value_or(now), now);
+    // They may come before a mode that follows them; that is no mistake.
+    const bool should_follow =
+        autopilot_.mode() == Mode::kGuided || autopilot_.mode() == Mode::kOffboard;
+    if (!answer.is_good() && (should_follow || answer.result == Result::kDenied)) {
+      refuse_set_point(answer.text, now);
+    }
+    return true;
+  }
+  if (const auto sticks = sticks_.read(message)) {
+    autopilot_.set_sticks(*sticks, now);
+    return true;
+  }
+  return false;
+}
+
+/// Set-points come often: the same reason is said once in a while.
+void MavlinkVehicle::refuse_set_point(const std::string& reason, SimTime now) {
+  const bool is_said =
+      reason == newest_.refusal && (now - newest_.refused_at).seconds() < kSameRefusal_s;
+  if (is_said) return;
+  newest_.refusal = reason;
+  newest_.refused_at = now;
+  say(Severity::kError, reason);
+}
+
+bool MavlinkVehicle::handle_setting(const Message& message, SimTime now) {
+  std::optional<Answer> answer;
+  if (is<mavlink_set_mode_t>(message)) {
+    const auto payload = unpack<mavlink_set_mode_t>(message);
+    if (payload.target_system != self_.system) return false;
+    const bool is_custom = (payload.base_mode & MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) != 0;
+    answer = is_custom ? autopilot_.handle(ModeRequest{payload.custom_mode}, now)
+                       : denied("SET_MODE: base_mode " + std::to_string(payload.base_mode) +
+                                ", legal: an odd number, with the mode in custom_mode");
+  } else if (is<mavlink_set_home_position_t>(message)) {
+    const auto payload = unpack<mavlink_set_home_position_t>(message);
+    if (payload.target_system != self_.system) return false;
+    const GeoPlace home{payload.latitude / 1e7, payload.longitude / 1e7, payload.altitude / 1e3};
+    answer = autopilot_.handle(HomeRequest{geo_.to_world(home)}, now);
+  }
+  if (!answer) return false;
+  const CommandReply reply = to_reply(*answer);
+  if (!reply.reason.empty()) say(Severity::kError, reply.reason);
+  return true;
+}
+
+bool MavlinkVehicle::answer_small_services(const Message& message, SimTime now) {
+  const std::optional<Message> answers[] = {timesync_answer(message, self_, now.ns),
+                                            file_transfer_answer(message, self_),
+                                            log_list_answer(message, self_)};
+  bool is_answered = false;
+  for (const auto& answer : answers) {
+    if (!answer) continue;
+    send_(*answer);
+    is_answered = true;
+  }
+  return is_answered;
+}
+
+CommandReply MavlinkVehicle::execute(const Command& command, SimTime now) {
+  if (auto reply = streams_.execute(command, now)) return *std::move(reply);
+  std::uint32_t wanted = 0;
+  if (command.command == MAV_CMD_GET_HOME_POSITION) wanted = MAVLINK_MSG_ID_HOME_POSITION;
+  if (command.command == MAV_CMD_REQUEST_PROTOCOL_VERSION) wanted = MAVLINK_MSG_ID_PROTOCOL_VERSION;
+  if (command.command == MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES) {
+    wanted = MAVLINK_MSG_ID_AUTOPILOT_VERSION;
+  }
+  if (wanted != 0) {
+    if (emit(wanted)) return {};
+    return {CommandResult::kTemporarilyRejected, "home: it is not known", 0};
+  }
+  const Interpretation asked = interpret(command, flavor_of(options_.flavour), places());
+  if (const auto* reply = std::get_if<CommandReply>(&asked)) return *reply;
+  return to_reply(autopilot_.handle(std::get<Request>(asked), now));
+}
+
+/// The autopilot may have said the reason itself.
+CommandReply MavlinkVehicle::to_reply(const Answer& answer) {
+  const bool is_said = flush_events(answer.text);
+  return {static_cast<CommandResult>(answer.result),
+          answer.is_good() || is_said ? std::string() : answer.text, 0};
+}
+
+/// Sends what happened. True when `wanted_text` is part of it.
+bool MavlinkVehicle::flush_events(const std::string& wanted_text) {
+  bool is_said = false;
+  for (const AutopilotEvent& event : autopilot_.take_events()) {
+    if (event.kind == AutopilotEvent::Kind::kText) {
+      say(static_cast<Severity>(event.severity), event.text);
+      is_said =
+          is_said || (!wanted_text.empty() && event.text.find(wanted_text) != std::string::npos);
+    } else if (event.kind == AutopilotEvent::Kind::kMissionReached) {
+      mavlink_mission_item_reached_t payload{};
+      payload.seq = static_cast<std::uint16_t>(event.index);
+      send_(pack(payload, self_));
+    } else {
+      on_home_changed();
+    }
+  }
+  return is_said;
+}
+
+/// Heights above home change with it. A mission that is flown keeps those that it began with.
+void MavlinkVehicle::on_home_changed() {
+  emit(MAVLINK_MSG_ID_HOME_POSITION);
+  emit(MAVLINK_MSG_ID_GPS_GLOBAL_ORIGIN);
+  const int current = autopilot_.mission().current();
+  const bool is_flown = autopilot_.is_armed() && autopilot_.mode() == Mode::kMission && current > 0;
+  if (is_flown || missions_.mission(MissionType::kMission).empty()) return;
+  load_list(MissionType::kMission);
+  autopilot_.handle(MissionItemRequest{current}, newest_.now);
+}
+
+void MavlinkVehicle::update(const BothTimes& now) {
+  newest_.now = std::max(newest_.now, now.simulated);
+  const double age_s = heartbeats_.ground_station_age_s(now);
+  if (age_s < kGroundStationTimeout_s) {
+    autopilot_.note_ground_station(now.simulated - SimTime::from_seconds(age_s));
+  }
+  missions_.update(now.simulated);
+  parameters_.update(now.simulated);
+  streams_.update(now.simulated);
+}
+
+Setpoint MavlinkVehicle::step(SimTime now, const VehicleState& state) {
+  newest_.now = now;
+  newest_.state = state;
+  const Setpoint setpoint = autopilot_.step(now, state);
+  flush_events({});
+  return setpoint;
+}
+
+MissionServerEvents MavlinkVehicle::mission_events() {
+  MissionServerEvents events;
+  events.check_mission = [this](MissionType type, const Mission& list) {
+    return check_mission(type, list);
+  };
+  events.changed = [this](MissionType type) { load_list(type); };
+  events.set_current = [this](std::uint16_t index) {
+    return to_verdict(autopilot_.handle(MissionItemRequest{index}, newest_.now));
+  };
+  events.refused = [this](const std::string& reason) { say(Severity::kError, reason); };
+  return events;
+}
+
+MissionVerdict MavlinkVehicle::check_mission(MissionType type, const Mission& list) {
+  if (type == MissionType::kMission) {
+    return to_verdict(bridges::check_mission(
+        to_autopilot(list, flavor_of(options_.flavour), places()), class_of(options_.kind)));
+  }
+  if (type == MissionType::kRally) return {};
+  std::vector<Fence::Region> regions;
+  const MissionVerdict verdict = read_fence(list, places(), regions);
+  if (!verdict.is_accepted()) return verdict;
+  return to_verdict(autopilot_.load_fence(std::move(regions)));
+}
+
+/// Gives a list that was checked to the autopilot.
+void MavlinkVehicle::load_list(MissionType type) {
+  if (type == MissionType::kFence) {
+    std::vector<Fence::Region> regions;
+    read_fence(missions_.mission(type), places(), regions);
+    autopilot_.load_fence(std::move(regions));
+  }
+  if (type != MissionType::kMission) return;
+  const Flavor flavor = flavor_of(options_.flavour);
+  if (flavor == Flavor::kArduPilot && autopilot_.home() &&
+      !missions_.mission(MissionType::kMission).empty()) {
+    Mission list = missions_.mission(MissionType::kMission);
+    list.front() = home_item(geo_.to_geo(*autopilot_.home()));
+    missions_.set_mission(MissionType::kMission, std::move(list));
+  }
+  autopilot_.load_mission(to_autopilot(missions_.mission(MissionType::kMission), flavor, places()));
+}
+
+}  // namespace trident::bridges::mavlink

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_bridges/vehicle/telemetry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trident_base/angle.h"
+#include "trident_bridges/mavlink/dialect.h"
+#include "trident_bridges/mavlink/frames.h"
+#include "vehicle/status_telemetry.h"
+
+namespace trident::bridges::mavlink {
+namespace {
+
+constexpr std::uint8_t kSatellites = 12;  // a good sky
+constexpr std::uint16_t kDilution = 80;   // 100 * HDOP, 100 * VDOP
+
+std::uint32_t boot_ms(const TelemetrySource& source) {
+  return static_cast<std::uint32_t>(source.now.ns / 1'000'000);
+}
+
+/// Clockwise from north, 0 to 36000 [0.01 deg].
+std::uint16_t centidegrees(double angle_rad) {
+  const double degrees = rad_to_deg(angle_rad);
+  const auto whole =
+      static_cast<int>(std::lround(100.0 * (degrees < 0.0 ? degrees + 360.0 : degrees)));
+  return static_cast<std::uint16_t>(whole % 36000);
+}
+
+std::int16_t centimeters(double v_m_s) {
+  return static_cast<std::int16_t>(std::lround(std::clamp(100.0 * v_m_s, -32767.0, 32767.0)));
+}
+
+/// Of body (FRD) in the world (NED).
+Eigen::Quaterniond attitude_of(const TelemetrySource& source) {
+  return swap_attitude(source.state.R_world_body).normalized();
+}
+
+Message attitude(const TelemetrySource& source) {
+  const Eigen::Quaterniond q = attitude_of(source);
+  const Eigen::Vector3f w = swap_body(source.readings.w_body_rad_s).cast<float>();
+  mavlink_attitude_t payload{};
+  payload.time_boot_ms = boot_ms(source);
+  payload.roll = static_cast<float>(std::atan2(2.0 * (q.w() * q.x() + q.y() * q.z()),
+                                               1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())));
+  payload.pitch =
+      static_cast<float>(std::asin(std::clamp(2.0 * (q.w() * q.y() - q.z() * q.x()), -1.0, 1.0)));
+  payload.yaw = static_cast<float>(std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
+                                              1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z())));
+  payload.rollspeed = w.x();
+  payload.pitchspeed = w.y();
+  payload.yawspeed = w.z();
+  return pack(payload, source.self);
+}
+
+Message attitude_quaternion(const TelemetrySource& source) {
+  const Eigen::Quaternionf q = attitude_of(source).cast<float>();
+  const Eigen::Vector3f w = swap_body(source.readings.w_body_rad_s).cast<float>();
+  mavlink_attitude_quaternion_t payload{};
+  payload.time_boot_ms = boot_ms(source);
+  payload.q1 = q.w();
+  payload.q2 = q.x();
+  payload.q3 = q.y();
+  payload.q4 = q.z();
+  payload.rollspeed = w.x();
+  payload.pitchspeed = w.y();
+  payload.yawspeed = w.z();
+  return pack(payload, source.self);
+}
+
+Message local_position_ned(const TelemetrySource& source) {
+  const Eigen::Vector3f p = swap_world(source.state.p_world_m).cast<float>();
+  const Eigen::Vector3f v = swap_world(source.state.v_world_m_s).cast<float>();
+  mavlink_local_position_ned_t payload{};
+  payload.time_boot_ms = boot_ms(source);
+  payload.x = p.x();
+  payload.y = p.y();
+  payload.z = p.z();
+  payload.vx = v.x();
+  payload.vy = v.y();
+  payload.vz = v.z();
+  return pack(payload, source.self);
+}
+
+template <class Payload>
+void fill_geo_place(const TelemetrySource& source, Payload& payload) {
+  const GeoPlace place = source.geo.to_geo(source.state.p_world_m);
+  payload.lat = static_cast<std::int32_t>(std::lround(1e7 * place.latitude_deg));
+  payload.lon = static_cast<std::int32_t>(std::lround(1e7 * place.longitude_deg));
+  payload.alt = static_cast<std::int32_t>(std::lround(1e3 * place.altitude_m));
+}
+
+double height_above_home(const TelemetrySource& source) {
+  return source.state.p_world_m.z() - source.autopilot.home().value_or(Eigen::Vector3d::Zero()).z();
+}
+
+Message global_position_int(const TelemetrySource& source) {
+  const Eigen::Vector3d v = swap_world(source.state.v_world_m_s);
+  mavlink_global_position_int_t payload{};
+  payload.time_boot_ms = boot_ms(source);
+  fill_geo_place(source, payload);
+  payload.relative_alt = static_cast<std::int32_t>(std::lround(1e3 * height_above_home(source)));
+  payload.vx = centimeters(v.x());
+  payload.vy = centimeters(v.y());
+  payload.vz = centimeters(v.z());
+  payload.hdg = centidegrees(swap_yaw(source.state.yaw()));
+  return pack(payload, source.self);
+}
+
+Message gps_raw_int(const TelemetrySource& source) {
+  const Eigen::Vector3d v = source.state.v_world_m_s;
+  mavlink_gps_raw_int_t payload{};
+  payload.time_usec = static_cast<std::uint64_t>(source.now.ns / 1000);
+  fill_geo_place(source, payload);
+  payload.eph = payload.epv = kDilution;
+  const double speed_m_s = v.head<2>().norm();
+  payload.vel = static_cast<std::uint16_t>(centimeters(speed_m_s));
+  payload.cog = centidegrees(swap_yaw(std::atan2(v.y(), v.x())));
+  payload.fix_type = GPS_FIX_TYPE_3D_FIX;
+  payload.satellites_visible = kSatellites;
+  return pack(payload, source.self);
+}
+
+Message vfr_hud(const TelemetrySource& source) {
+  mavlink_vfr_hud_t payload{};
+  const Eigen::Vector3d& v = source.state.v_world_m_s;
+  payload.airspeed = static_cast<float>(v.norm());
+  payload.groundspeed = static_cast<float>(v.head<2>().norm());
+  payload.alt = static_cast<float>(source.geo.to_geo(source.state.p_world_m).altitude_m);
+  payload.climb = static_cast<float>(v.z());
+  payload.heading = static_cast<std::int16_t>(centidegrees(swap_yaw(source.state.yaw())) / 100);
+  return pack(payload, source.self);
+}
+
+Message altitude(const TelemetrySource& source) {
+  mavlink_altitude_t payload{};
+  payload.time_usec = static_cast<std::uint64_t>(source.now.ns / 1000);
+  const auto amsl = static_cast<float>(source.geo.to_geo(source.state.p_world_m).altitude_m);
+  payload.altitude_monotonic = payload.altitude_amsl = amsl;
+  payload.altitude_local = static_cast<float>(source.state.p_world_m.z());
+  payload.altitude_relative = static_cast<float>(height_above_home(source));
+  payload.altitude_terrain = payload.bottom_clearance = std::numeric_limits<float>::quiet_NaN();
+  return pack(payload, source.self);
+}
+
+/// Those that need a place.
+std::optional<Message> motion_message(std::uint32_t id, const TelemetrySource& source) {
+  switch (id) {
+    case MAVLINK_MSG_ID_ATTITUDE:
+      return attitude(source);
+    case MAVLINK_MSG_ID_ATTITUDE_QUATERNION:
+      return attitude_quaternion(source);
+    case MAVLINK_MSG_ID_LOCAL_POSITION_NED:
+      return local_position_ned(source);
+    case MAVLINK_MSG_ID_GLOBAL_POSITION_INT:
+      return global_position_int(source);
+    case MAVLINK_MSG_ID_GPS_RAW_INT:
+      return gps_raw_int(source);
+    case MAVLINK_MSG_ID_VFR_HUD:
+      return vfr_hud(source);
+    case MAVLINK_MSG_ID_ALTITUDE:
+      return altitude(source);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<Message> telemetry_message(std::uint32_t id, const TelemetrySource& source) {
+  if (const auto message = status_message(id, source)) return message;
+  if (!source.state.position_stamp) return std::nullopt;
+  return motion_message(id, source);
+}
+
+}  // namespace trident::bridges::mavlink

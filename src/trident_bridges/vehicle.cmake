@@ -1,0 +1,20 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+# The room `vehicle`: what a simulated vehicle says and understands in MAVLink, without ROS, sockets or clocks.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(GEOGRAPHICLIB REQUIRED IMPORTED_TARGET geographiclib)
+trident_bridges_room(vehicle
+  src/vehicle/commands.cpp
+  src/vehicle/geo_frame.cpp
+  src/vehicle/mavlink_vehicle.cpp
+  src/vehicle/missions.cpp
+  src/vehicle/status_telemetry.cpp
+  src/vehicle/sticks.cpp
+  src/vehicle/targets.cpp
+  src/vehicle/telemetry.cpp
+)
+add_dependencies(trident_bridges_vehicle trident_bridges_mavlink_headers)
+target_link_libraries(trident_bridges_vehicle PUBLIC trident_bridges_autopilot trident_bridges_mavlink
+  PkgConfig::GEOGRAPHICLIB)
+trident_bridges_test(vehicle
+  test/vehicle/commands_test.cpp test/vehicle/mavlink_vehicle_test.cpp test/vehicle/targets_test.cpp)
