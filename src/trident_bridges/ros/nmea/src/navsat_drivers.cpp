@@ -18,7 +18,7 @@
 namespace trident::bridges {
 namespace {
 
-constexpr std::uint32_t kQueueSize = 100;
+constexpr std::uint32_t kSentenceQueueSize = 100;
 
 /// What every driver has.
 struct Driver {
@@ -38,10 +38,11 @@ struct Driver {
 
 /// Runs `body` as a node of this name; an error ends it with its text and 1.
 int run(int argc, char** argv, const char* name, const std::function<void(Driver&)>& body) {
-  ros::init(argc, argv, name);
+  init_node(argc, argv, name);
   ros::NodeHandle node;  // outlives the catch: logging ends with the last handle
   try {
     Driver driver;
+    driver.loop.follow_clock(driver.node, [](const ros::Time&) {});
     body(driver);
   } catch (const Error& error) {
     ROS_FATAL("%s", error.what());
@@ -63,6 +64,7 @@ NavsatOutputParams output_params(const NavsatDriverParams& own) {
   params.time_source = own.time_ref_source;
   params.uses_gnss_time = own.uses_gnss_time;
   params.has_compass_heading = !own.enu_heading;
+  params.shows_no_fix = true;
   return params;
 }
 
@@ -136,7 +138,7 @@ int nmea_topic_driver_main(int argc, char** argv) {
     hooks.refusals = driver.refusals.get();
     SentenceReader reader("nmea_sentence", "its publishers", read_params(own), hooks);
     const auto subscription = driver.loop.subscribe<nmea_msgs::Sentence>(
-        driver.node, "nmea_sentence", kQueueSize, [&](const nmea_msgs::Sentence& message) {
+        driver.node, "nmea_sentence", kSentenceQueueSize, [&](const nmea_msgs::Sentence& message) {
           const bool has_stamp = !message.header.stamp.isZero();
           output.set_origin(has_stamp ? message.header.stamp : ros::Time::now(),
                             message.header.frame_id);

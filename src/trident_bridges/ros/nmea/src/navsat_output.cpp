@@ -48,7 +48,7 @@ std::uint8_t covariance_type(nmea::ErrorsKnown errors) {
 
 }  // namespace
 
-NavsatOutput::NavsatOutput(ros::NodeHandle& node, const NavsatOutputParams& params)
+NavsatOutput::NavsatOutput(ros::NodeHandle node, const NavsatOutputParams& params)
     : params_(params),
       frame_id_(params.frame_id),
       fix_(node, "fix"),
@@ -62,6 +62,7 @@ void NavsatOutput::set_origin(const ros::Time& stamp, const std::string& frame_i
 }
 
 void NavsatOutput::on_fix(const nmea::NavsatFix& fix) {
+  if (std::isnan(fix.latitude_deg) && !params_.shows_no_fix) return;
   NavSatFix message;
   message.header.stamp = stamp_;
   if (params_.uses_gnss_time) {

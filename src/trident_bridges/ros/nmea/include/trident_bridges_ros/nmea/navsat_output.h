@@ -22,6 +22,7 @@ struct NavsatOutputParams {
   std::string time_source;           ///< of time_reference; "": frame_id
   bool uses_gnss_time = false;       ///< stamps fixes with the time of the receiver
   bool has_compass_heading = false;  ///< the yaw is the compass' angle, as upstream has it
+  bool shows_no_fix = false;         ///< also publishes without a fix, NaN, as upstream does
 };
 
 /// Publishes what satellite receivers and compasses say on `fix`, `vel`, `heading` and
@@ -29,7 +30,7 @@ struct NavsatOutputParams {
 class NavsatOutput : public nmea::ReceiverSink {
  public:
   /// Advertises the topics below `node`'s namespace.
-  NavsatOutput(ros::NodeHandle& node, const NavsatOutputParams& params);
+  NavsatOutput(ros::NodeHandle node, const NavsatOutputParams& params);
 
   /// Stamp and frame of what is read next, in place of now and the parameter's.
   void set_origin(const ros::Time& stamp, const std::string& frame_id);
