@@ -43,7 +43,7 @@ void Autopilot::report(int severity, std::string text) {
 std::vector<AutopilotEvent> Autopilot::take_events() { return std::exchange(events_, {}); }
 
 Answer Autopilot::set_parameter(std::string_view name, double value) {
-  const Answer answer = parameters_.set(name, value);
+  Answer answer = parameters_.set(name, value);
   if (!answer.is_good()) return answer;
   limits_ = limits_of(parameters_, options_.flavor, options_.vehicle);
   fence_.radius_m = limits_.fence_radius_m;
@@ -54,7 +54,7 @@ Answer Autopilot::set_parameter(std::string_view name, double value) {
 }
 
 Answer Autopilot::load_mission(std::vector<MissionItem> items) {
-  const Answer answer = check_mission(items, options_.vehicle);
+  Answer answer = check_mission(items, options_.vehicle);
   if (!answer.is_good()) return answer;
   mission_.load(std::move(items));
   return answer;

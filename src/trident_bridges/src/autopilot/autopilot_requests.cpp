@@ -156,7 +156,7 @@ Answer Autopilot::Handler::operator()(const TakeOffRequest& request) const {
   if (!is_px4 && pilot.mode_ != Mode::kGuided) {
     return refused("take-off: the mode must be GUIDED");
   }
-  if (const Answer answer = need_armed("Take-off"); !answer.is_good()) return answer;
+  if (Answer answer = need_armed("Take-off"); !answer.is_good()) return answer;
   const Eigen::Vector3d goal = pilot.state_.p_world_m + Eigen::Vector3d(0.0, 0.0, height);
   if (pilot.limits_.fence_is_on) {
     if (const auto breach = pilot.fence_.breach(goal)) return refused("take-off: " + *breach);
@@ -168,14 +168,14 @@ Answer Autopilot::Handler::operator()(const TakeOffRequest& request) const {
 
 Answer Autopilot::Handler::operator()(const GoToRequest& request) const {
   if (!request.p_world_m.allFinite()) return denied("go to: the place is not finite");
-  if (const Answer answer = need_armed("Go to"); !answer.is_good()) return answer;
+  if (Answer answer = need_armed("Go to"); !answer.is_good()) return answer;
   if (pilot.limits_.fence_is_on) {
     if (const auto breach = pilot.fence_.breach(request.p_world_m)) {
       return refused("go to: " + *breach);
     }
   }
   const bool is_px4 = pilot.options_.flavor == Flavor::kPx4;
-  if (const Answer answer = change_to(is_px4 ? Mode::kHold : Mode::kGuided); !answer.is_good()) {
+  if (Answer answer = change_to(is_px4 ? Mode::kHold : Mode::kGuided); !answer.is_good()) {
     return answer;
   }
   if (request.speed_m_s > 0.0) (*this)(SpeedRequest{request.speed_m_s});
@@ -212,11 +212,11 @@ Answer Autopilot::Handler::operator()(const LookAtRequest& request) const {
 
 Answer Autopilot::Handler::operator()(const MissionStartRequest& request) const {
   if (request.first >= 0) {
-    if (const Answer answer = pilot.mission_.set_current(request.first); !answer.is_good()) {
+    if (Answer answer = pilot.mission_.set_current(request.first); !answer.is_good()) {
       return answer;
     }
   }
-  if (const Answer answer = need_armed("Mission"); !answer.is_good()) return answer;
+  if (Answer answer = need_armed("Mission"); !answer.is_good()) return answer;
   return change_to(Mode::kMission);
 }
 

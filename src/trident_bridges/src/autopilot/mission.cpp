@@ -55,7 +55,6 @@ std::optional<Problem> field_problem(const MissionItem& item, int count) {
       if (p[1] == -1.0) return std::nullopt;  // as it is
       return at_least("param2", p[1], 0.01);
     case command::kLoiterTurns:
-      return at_least("param1", p[0], 0.0);
     case command::kLoiterTime:
     case command::kConditionDelay:
     case command::kDelay:

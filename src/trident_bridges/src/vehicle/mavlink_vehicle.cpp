@@ -247,7 +247,7 @@ void MavlinkVehicle::update(const BothTimes& now) {
 Setpoint MavlinkVehicle::step(SimTime now, const VehicleState& state) {
   newest_.now = now;
   newest_.state = state;
-  const Setpoint setpoint = autopilot_.step(now, state);
+  Setpoint setpoint = autopilot_.step(now, state);
   flush_events({});
   return setpoint;
 }
@@ -272,7 +272,7 @@ MissionVerdict MavlinkVehicle::check_mission(MissionType type, const Mission& li
   }
   if (type == MissionType::kRally) return {};
   std::vector<Fence::Region> regions;
-  const MissionVerdict verdict = read_fence(list, places(), regions);
+  MissionVerdict verdict = read_fence(list, places(), regions);
   if (!verdict.is_accepted()) return verdict;
   return to_verdict(autopilot_.load_fence(std::move(regions)));
 }

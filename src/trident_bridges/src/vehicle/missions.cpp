@@ -126,7 +126,7 @@ MissionVerdict read_fence(const Mission& list, const PlaceContext& context,
   for (std::size_t i = 0; i < list.size();) {
     Fence::Region region;
     if (is_corner(list[i].command)) {
-      const MissionVerdict verdict = read_polygon(list, i, context, region);
+      MissionVerdict verdict = read_polygon(list, i, context, region);
       if (!verdict.is_accepted()) return verdict;
       i += region.corners_m.size();
     } else if (is_circle(list[i].command)) {
