@@ -18,7 +18,7 @@ void unpack_bits(Bytes packed, int count, std::vector<std::uint8_t>& bits) {
 
 /// "'a' (holding 3) and 4 more".
 std::string labels_of(const RegisterMap& map, const std::vector<std::size_t>& entries) {
-  const std::string first = map.entries[entries.front()].label();
+  std::string first = map.entries[entries.front()].label();
   if (entries.size() == 1) return first;
   return first + " and " + std::to_string(entries.size() - 1) + " more";
 }

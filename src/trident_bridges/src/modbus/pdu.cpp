@@ -170,7 +170,7 @@ std::string function_text(Function function) {
 }
 
 std::string exception_text(ExceptionCode code) {
-  const std::string number = "exception " + std::to_string(static_cast<int>(code));
+  std::string number = "exception " + std::to_string(static_cast<int>(code));
   const auto name = exception_names().find(code);
   if (name == exception_names().end()) return number;
   return std::string(name->second) + " (" + number + ")";

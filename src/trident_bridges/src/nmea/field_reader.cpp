@@ -181,14 +181,15 @@ std::size_t FieldReader::count_groups(const char* name, std::size_t fields, std:
   if (next_ >= sentence_.field_count()) return 0;
   const std::size_t left = sentence_.field_count() - next_;
   const std::size_t rest = left % fields;
+  const std::size_t groups = left / fields;
   if (rest != 0 && rest != behind) {
     refuse({RefusalKind::kFieldCount, name, static_cast<double>(left), 0.0, 0.0});
     refusal_.legal = "fields in whole groups";
-  } else if (left / fields > most) {
-    refuse({RefusalKind::kFieldCount, name, static_cast<double>(left / fields), 0.0,
+  } else if (groups > most) {
+    refuse({RefusalKind::kFieldCount, name, static_cast<double>(groups), 0.0,
             static_cast<double>(most)});
   }
-  return left / fields;
+  return groups;
 }
 
 bool FieldReader::finish(Refusal* refusal) {
