@@ -13,18 +13,14 @@ import pytest
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Twist
-from harness import Gazebo, Ros, eventually, logged_problems, pose, recorder
+from harness import Ros, eventually, logged_problems, recorder
+from meadow import ROBOT, Meadow
 from nav_msgs.msg import Odometry
 from std_srvs.srv import SetBool, SetBoolRequest, SetBoolResponse
 
 from trident_msgs.srv import SetOutage
 
 NODE = Path(__file__).with_name("radio_services_node.py")
-WORLD = '<sdf version="1.6"><world name="meadow"><gravity>0 0 0</gravity></world></sdf>'
-RADIO = '<plugin name="radio" filename="libtrident_radio.so"/>'
-ROBOT = f"""<robot name="robot"><link name="base_link"><inertial><mass value="1"/>
-<inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial></link>
-<gazebo>{RADIO}</gazebo></robot>"""
 RULES = """
 model: {path: free_space}
 rules:
@@ -39,22 +35,12 @@ rules:
 """
 
 
-class Meadow:
-    """A world with two robots, the rover's services, and calls of this process."""
+class Services(Meadow):
+    """A meadow with the rover's services, and calls of this process."""
 
-    def __init__(self, ros: Ros, folder: Path, robot: str = ROBOT, **params: Any) -> None:
+    def __init__(self, ros: Ros, folder: Path, **options: Any) -> None:
         """Start all of it."""
-        (folder / "team.yaml").write_text(RULES, encoding="utf-8")
-        (folder / "meadow.world").write_text(WORLD, encoding="utf-8")
-        self.gazebo = Gazebo(
-            ros,
-            folder / "meadow.world",
-            radio_rules=str(folder / "team.yaml"),
-            out_dir=str(folder),
-            **params,
-        ).ready()
-        self.gazebo.spawn("rover", robot, pose(z=1.0))
-        self.gazebo.spawn("boat", ROBOT, pose(x=60.0, z=1.0))
+        super().__init__(ros, folder, RULES, **options)
         self.node = ros.launch(["/usr/bin/python3", NODE], "rover_services")
         self._pool = ThreadPoolExecutor()
 
@@ -75,21 +61,21 @@ class Meadow:
     def answer(self, service: str, data: bool = True) -> str:
         """The same, stepping until it is there."""
         future = self.call(service, data)
-        eventually(lambda: self.gazebo.step(1) > 0.0 and future.done(), f"an end of {service}")
+        self.step_until(future.done, f"an end of {service}", steps=1)
         return future.result()
 
 
 @pytest.fixture
-def meadow(ros: Ros, tmp_path: Path) -> Iterator[Callable[..., Meadow]]:
-    def make(**options: Any) -> Meadow:
-        return Meadow(ros, tmp_path, **options)
+def services(ros: Ros, tmp_path: Path) -> Iterator[Callable[..., Services]]:
+    def make(**options: Any) -> Services:
+        return Services(ros, tmp_path, **options)
 
     yield make
     ros.clean()
 
 
-def test_answers_and_errors_come_by_radio(meadow: Callable[..., Meadow]) -> None:
-    world = meadow()
+def test_answers_and_errors_come_by_radio(services: Callable[..., Services]) -> None:
+    world = services()
     with recorder("/diagnostics", DiagnosticArray) as diagnostics:
         assert world.answer("arm") == "armed"
         assert world.answer("arm", data=False) == "disarmed"
@@ -116,9 +102,7 @@ def test_answers_and_errors_come_by_radio(meadow: Callable[..., Meadow]) -> None
             "has failed: there is no service /rover/arm: its server has ended'"
         )
         warning = "rule 8 (nobodys): no node serves /rover/nobodys, /boat/nobodys after 5.00 s"
-        eventually(
-            lambda: world.gazebo.step(100) > 0.0 and warning in world.gazebo.log, "the warning"
-        )
+        world.step_until(lambda: warning in world.gazebo.log, "the warning", steps=100)
 
         def notes() -> dict[str, str]:
             return {s.name: s.message for a in diagnostics.messages for s in a.status}
@@ -139,7 +123,7 @@ def is_noted(messages: list[DiagnosticArray], text: str) -> bool:
     return any(text in status.message for array in messages for status in array.status)
 
 
-def run_with_calls_within_calls(world: Meadow) -> dict[str, Any]:
+def run_with_calls_within_calls(world: Services) -> dict[str, Any]:
     def depth(request: SetBoolRequest) -> SetBoolResponse:
         return SetBoolResponse(request.data, "3 m")
 
@@ -157,11 +141,11 @@ def run_with_calls_within_calls(world: Meadow) -> dict[str, Any]:
 
 
 def test_a_call_within_a_call_is_repeatable_as_fast_as_possible(
-    meadow: Callable[..., Meadow], ros: Ros
+    services: Callable[..., Services], ros: Ros
 ) -> None:
     results = []
     for _ in range(2):
-        results.append(run_with_calls_within_calls(meadow(end_time=2.0, lockstep_timeout=60.0)))
+        results.append(run_with_calls_within_calls(services(end_time=2.0, lockstep_timeout=60.0)))
         ros.clean()
     assert results[0]["repeatable"], results[0]
     assert results[0]["state_hash"] == results[1]["state_hash"]
@@ -171,9 +155,9 @@ def test_a_call_within_a_call_is_repeatable_as_fast_as_possible(
 
 
 def test_a_server_that_is_silent_does_not_hold_the_world_for_ever(
-    meadow: Callable[..., Meadow],
+    services: Callable[..., Services],
 ) -> None:
-    world = meadow(lockstep_timeout=0.05)
+    world = services(lockstep_timeout=0.05)
     assert "has no answer after 2 s: its server has not answered" in world.answer("hang")
     assert "the server of /rover/hang has not answered a call of boat" in world.gazebo.log
     results = world.gazebo.finish()
@@ -192,9 +176,9 @@ ANSWERS = {"state": "/rover/odom", "commands": ["/rover/cmd_vel"], "delay": 0.02
 
 
 def test_a_node_that_the_world_waits_for_and_that_waits_for_a_call_gets_an_error(
-    meadow: Callable[..., Meadow], request: pytest.FixtureRequest
+    services: Callable[..., Services], request: pytest.FixtureRequest
 ) -> None:
-    world = meadow(robot=CART, answers={"rover": ANSWERS}, lockstep_timeout=0.5)
+    world = services(rover=CART, answers={"rover": ANSWERS}, lockstep_timeout=0.5)
     publisher = rospy.Publisher("/rover/cmd_vel", Twist, queue_size=10)
     request.addfinalizer(publisher.unregister)
     rospy.wait_for_service("/boat/to/rover/arm", 20.0)

@@ -4,6 +4,7 @@
 
 #include <ros/connection.h>
 #include <ros/publication.h>
+#include <ros/publisher_link.h>
 #include <ros/subscriber_link.h>
 #include <ros/subscription.h>
 #include <ros/topic_manager.h>
@@ -38,6 +39,7 @@ TRIDENT_REVEAL(SubscriptionsMutex, ros::TopicManager, boost::mutex, subs_mutex_)
 TRIDENT_REVEAL(PublisherLinks, ros::Subscription, std::vector<ros::PublisherLinkPtr>,
                publisher_links_);
 TRIDENT_REVEAL(PublisherLinksMutex, ros::Subscription, boost::mutex, publisher_links_mutex_);
+TRIDENT_REVEAL(PublisherHeader, ros::PublisherLink, ros::Header, header_);
 TRIDENT_REVEAL(ReadFilled, ros::Connection, std::uint32_t, read_filled_);
 TRIDENT_REVEAL(ReadSize, ros::Connection, std::uint32_t, read_size_);
 TRIDENT_REVEAL(HasReadCallback, ros::Connection, volatile std::uint32_t, has_read_callback_);

@@ -3,9 +3,7 @@
 #include "trident_ros/topic_peers.h"
 
 #include <ros/master.h>
-#include <ros/publisher_link.h>
 #include <ros/this_node.h>
-#include <ros/transport_publisher_link.h>
 
 #include "roscpp_internals.h"
 #include "trident_base/string_util.h"
@@ -51,9 +49,8 @@ std::vector<std::string> topic_writers(const std::string& topic) {
 TopicType topic_type(const std::string& topic) {
   TopicType type;
   for_each_writer(topic, [&type](ros::PublisherLink& link) {
-    auto* const remote = dynamic_cast<ros::TransportPublisherLink*>(&link);
-    if (remote == nullptr || !type.name.empty()) return;
-    ros::Header& header = remote->getConnection()->getHeader();
+    if (!type.name.empty()) return;
+    const ros::Header& header = link.*pointer_to(PublisherHeader{});
     header.getValue("type", type.name);
     header.getValue("md5sum", type.md5sum);
     header.getValue("message_definition", type.definition);

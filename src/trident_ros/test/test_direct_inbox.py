@@ -24,5 +24,5 @@ def test_against_another_process(ros: RosProcesses) -> None:
     echo = ros.start_node("/echo", [PYTHON, str(ECHO)])
     code, output = ros.run([program("trident_ros", "direct_inbox_check")])
     assert code == 0, output
-    assert "PASSED  ] 16 tests" in output
+    assert "PASSED  ] 19 tests" in output
     assert echo.poll() is None

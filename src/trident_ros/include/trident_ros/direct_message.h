@@ -9,6 +9,7 @@
 #include <boost/shared_ptr.hpp>
 
 #include <cstring>
+#include <string>
 #include <typeinfo>
 #include <utility>
 #include <vector>
@@ -25,6 +26,8 @@ class DirectMessage {
   /// The whole message with the 4-byte length that TCPROS puts before it; `sequence` is its
   /// header.seq. Valid until the next call.
   virtual Span<const std::uint8_t> frame(std::uint32_t sequence) = 0;
+  /// The message without that length, serialized for the caller alone.
+  virtual std::string bytes(std::uint32_t sequence) = 0;
   /// Subscribers may keep it, so it does not change any more.
   virtual boost::shared_ptr<void const> object() = 0;
   /// Of the message object; subscribers in this process that want it get the object itself.
@@ -44,6 +47,16 @@ class ObjectMessage : public DirectMessage {
       std::memcpy(frame_.data() + sizeof(std::uint32_t), &sequence, sizeof(sequence));
     }
     return frame_;
+  }
+  std::string bytes(std::uint32_t sequence) override {
+    const std::uint32_t length = ros::serialization::serializationLength(*message_);
+    std::string result(length, '\0');
+    ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(result.data()), length);
+    ros::serialization::serialize(stream, *message_);
+    if (ros::message_traits::hasHeader<Message>()) {
+      std::memcpy(result.data(), &sequence, sizeof(sequence));
+    }
+    return result;
   }
   boost::shared_ptr<void const> object() override { return message_; }
   const std::type_info& type() const override { return typeid(Message); }

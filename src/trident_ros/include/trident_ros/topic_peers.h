@@ -28,8 +28,7 @@ struct TopicType {
   bool is_latched = false;  ///< who subscribes later gets the newest message
 };
 
-/// As a publisher in another process has it that this process is connected to, before its first
-/// message, too.
+/// As a publisher has it that this process is connected to, before its first message, too.
 TopicType topic_type(const std::string& topic);
 
 /// Nodes that write a topic of any name, as the master knows them; asks the

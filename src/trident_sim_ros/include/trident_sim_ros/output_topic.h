@@ -7,6 +7,7 @@
 #include <ros/ros.h>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -51,6 +52,8 @@ class OutputBinding {
   /// Converts the present value into a message that may wait to be sent; nullptr when the topic
   /// takes no single messages.
   virtual std::unique_ptr<ros_utils::DirectMessage> message() = 0;
+  /// How many values the last step has.
+  virtual std::size_t message_count() const { return 1; }
   /// Calls take(DirectMessage&) for each value of the last step, oldest first.
   virtual void each_message(const std::function<void(ros_utils::DirectMessage&)>& take) {
     if (const auto newest = message()) take(*newest);
@@ -153,6 +156,7 @@ class OutputTopic : public OutputBinding {
   std::unique_ptr<ros_utils::DirectMessage> message() override {
     return std::make_unique<ros_utils::ObjectMessage<Message>>(converted(port_.value));
   }
+  std::size_t message_count() const override { return port_.earlier().size() + 1; }
   void each_message(const std::function<void(ros_utils::DirectMessage&)>& take) override {
     const auto take_one = [&](const Sample& sample) {
       ros_utils::ObjectMessage<Message> message(converted(sample));

@@ -29,11 +29,11 @@ void RadioCalls::sync() {
   const std::vector<RelayService> services = relay_->services();
   if (known_since_ == 0 && !services.empty()) known_since_ = wall_now();
   called_.sync(services);
-  look_for_types();
+  called_.look_for_types();
 }
 
 void RadioCalls::look_for_types() {
-  if (relay_ == nullptr) return;
+  if (relay_ == nullptr || called_.empty() || !looks_.is_due(world_.time())) return;
   called_.look_for_types();
   const bool is_late = known_since_ != 0 && wall_now() - known_since_ > kUnservedWall;
   if (is_late && world_.time() >= kUnserved && !std::exchange(has_reported_unserved_, true)) {

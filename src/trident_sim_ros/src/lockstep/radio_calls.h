@@ -12,6 +12,7 @@
 #include "loss_watch.h"
 #include "served_calls.h"
 #include "topics/called_services.h"
+#include "topics/look_schedule.h"
 #include "topics/service_types.h"
 #include "trident_sim/world.h"
 
@@ -28,7 +29,7 @@ class RadioCalls {
 
   /// Follows robots that came or went.
   void sync();
-  /// Advertises services whose type is known now.
+  /// Advertises services whose type is known now. Looks only now and then.
   void look_for_types();
   /// The step that begins at `begin` has the answers of servers that it needs.
   bool allows_step(SimTime begin);
@@ -63,6 +64,7 @@ class RadioCalls {
   ReportSink report_;
   Repeatability& repeatability_;
   std::shared_ptr<RelayServices> relay_;  ///< nullptr: the world has no rules
+  LookSchedule looks_;
   ServiceTypes types_;
   std::shared_ptr<MessageBell> bell_ = std::make_shared<MessageBell>();
   CalledServices called_;

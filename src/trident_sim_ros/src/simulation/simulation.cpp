@@ -300,7 +300,7 @@ void Simulation::make_step() {
   answers_->deliver(world_->time());
   calls_->deliver(world_->time());
   world_->step();
-  relay_->take_outputs();
+  relay_->take_outputs(world_->time());
   answers_->look_for_samples(world_->time());
   const bool every_step =
       pace_.real_time_factor > 0.0 && pace_.real_time_factor <= kEveryStepFactor;
@@ -319,7 +319,7 @@ void Simulation::run_housekeeping() {
   next_scan_ = now + kScanPeriod;
   binder_->scan_subscribers();
   topics_->scan(*world_);
-  relay_->look_for_types();
+  relay_->look_for_types(world_->time());
   calls_->look_for_types();
   topics_->catch_up_clock(world_->time());
   performance_.publish(*world_);

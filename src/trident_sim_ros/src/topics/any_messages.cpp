@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "any_messages.h"
 
-#include <ros/serialization.h>
-
 #include <cstdint>
 #include <cstring>
 #include <sstream>
@@ -30,21 +28,16 @@ SimTime header_stamp(const std::string& bytes) {
   return {kSecond_ns * fields[1] + fields[2]};
 }
 
-bool HeaderCheck::has_header(const topic_tools::ShapeShifter& message) {
-  if (md5sum_ != message.getMD5Sum()) {
-    md5sum_ = message.getMD5Sum();
-    has_header_ = begins_with_header(message.getMessageDefinition());
+BytesSample BytesReader::read(Span<const std::uint8_t> bytes, ros::M_string& publisher) {
+  if (const std::string& md5sum = publisher["md5sum"]; md5sum_ != md5sum) {
+    md5sum_ = md5sum;
+    has_header_ = begins_with_header(publisher["message_definition"]);
   }
-  return has_header_;
-}
-
-BytesSample to_bytes(const topic_tools::ShapeShifter& message, HeaderCheck& headers) {
-  auto bytes = std::make_shared<std::string>(message.size(), '\0');
-  ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(bytes->data()),
-                                     message.size());
-  message.write(stream);
-  const SimTime stamp = headers.has_header(message) ? header_stamp(*bytes) : SimTime{};
-  return {stamp, std::move(bytes), {}};
+  BytesSample sample;
+  sample.data = std::make_shared<const std::string>(bytes.begin(), bytes.end());
+  sample.is_latched = publisher["latching"] == "1";
+  if (has_header_) sample.stamp = header_stamp(*sample.data);
+  return sample;
 }
 
 }  // namespace trident::sim

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <topic_tools/shape_shifter.h>
+#include <ros/ros.h>
 
 #include <string>
 
+#include "trident_base/span.h"
 #include "trident_sim/bytes_sample.h"
 
 namespace trident::sim {
@@ -16,16 +17,15 @@ bool begins_with_header(const std::string& definition);
 /// The stamp of a message that begins with a header; zero where its bytes have no place for one.
 SimTime header_stamp(const std::string& bytes);
 
-/// begins_with_header() of the messages of a topic, which seldom change their type.
-class HeaderCheck {
+/// Makes samples of the messages of a topic, which seldom change their type.
+class BytesReader {
  public:
-  bool has_header(const topic_tools::ShapeShifter& message);
+  /// `publisher`: what it says of itself; see AnySubscriptionHelper.
+  BytesSample read(Span<const std::uint8_t> bytes, ros::M_string& publisher);
 
  private:
   std::string md5sum_;
   bool has_header_ = false;
 };
-
-BytesSample to_bytes(const topic_tools::ShapeShifter& message, HeaderCheck& headers);
 
 }  // namespace trident::sim

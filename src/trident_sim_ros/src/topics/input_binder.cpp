@@ -12,7 +12,6 @@
 #include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
 #include <std_srvs/Empty.h>
-#include <topic_tools/shape_shifter.h>
 #include <uuv_gazebo_ros_plugins_msgs/FloatStamped.h>
 
 #include <mutex>
@@ -23,6 +22,7 @@
 #include "conversions/conversions.h"
 #include "conversions/radio_conversions.h"
 #include "thruster_services.h"
+#include "trident_ros/any_message.h"
 #include "trident_ros/schedule_fuzz.h"
 #include "trident_sim/bytes_sample.h"
 #include "trident_sim/commands.h"
@@ -68,10 +68,11 @@ SimTime stamp_of(const Command& command) {
   }
 }
 
-/// Whether a stamp says nothing about when a command counts.
+/// Whether a command that is here in a step at `now` counts later, at its stamp.
 template <class Command>
-bool is_of_another_clock(SimTime stamp, SimTime now) {
-  return std::is_same_v<Command, BytesSample> && stamp - now > kFarAhead;
+bool waits_for(SimTime stamp, SimTime now) {
+  const bool is_of_any_clock = std::is_same_v<Command, BytesSample>;
+  return is_of_any_clock ? stamp_use(stamp, now) == StampUse::kAtItsStamp : stamp > now;
 }
 
 /// What a binding is made with, besides its port.
@@ -119,7 +120,7 @@ class Mailbox {
   void note_late(SimTime begin, const std::string& port) {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (const auto& [sender, stamp] : late_) {
-      if (stamp > begin && !is_of_another_clock<Command>(stamp, begin)) continue;
+      if (waits_for<Command>(stamp, begin)) continue;
       repeatability_.spoil(sender, begin, "writes /" + port + " outside of the lockstep");
     }
     late_.clear();
@@ -189,18 +190,14 @@ class TopicBinding : public MailboxBinding<Command> {
 /// Messages of any type.
 class BytesBinding : public MailboxBinding<BytesSample> {
  public:
-  using Event = const ros::MessageEvent<topic_tools::ShapeShifter const>&;
-
   BytesBinding(const Surroundings& around, InPort<BytesSample>& port)
       : MailboxBinding<BytesSample>(port, around) {
-    ros::SubscribeOptions options;
-    const auto inbox = [mailbox = mailbox(),
-                        headers = std::make_shared<HeaderCheck>()](Event event) {
-      mailbox->put(to_bytes(*event.getConstMessage(), *headers), event.getPublisherName());
+    const auto inbox = [mailbox = mailbox(), reader = std::make_shared<BytesReader>()](
+                           Span<const std::uint8_t> bytes, ros::M_string& publisher) {
+      mailbox->put(reader->read(bytes, publisher), publisher["callerid"]);
     };
-    options.initByFullCallbackType<Event>("/" + port.name(), Mailbox<BytesSample>::kDepth, inbox);
-    options.callback_queue = &around.queue;
-    options.transport_hints = ros::TransportHints().tcpNoDelay();
+    ros::SubscribeOptions options = ros_utils::any_subscription(
+        "/" + port.name(), Mailbox<BytesSample>::kDepth, inbox, &around.queue);
     subscriber_ = around.node.subscribe(options);
   }
 

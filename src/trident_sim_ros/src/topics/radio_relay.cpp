@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "radio_relay.h"
 
-#include <ros/serialization.h>
-#include <topic_tools/shape_shifter.h>
-
 #include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "any_messages.h"
+#include "trident_ros/any_message.h"
+#include "trident_sim/radio.h"
 
 namespace trident::sim {
 namespace {
@@ -22,8 +21,6 @@ class BytesTopic : public OutputBinding {
 
   void advertise(const ros_utils::TopicType& type) {
     is_latched_ = type.is_latched;
-    constexpr const char* kNoLatch = "";
-    message_.morph(type.md5sum, type.name, type.definition, kNoLatch);
     publisher_ = advertiser_.advertise("/" + port_.name(), type);
   }
   bool is_advertised() const { return static_cast<bool>(publisher_); }
@@ -42,17 +39,13 @@ class BytesTopic : public OutputBinding {
 
  private:
   void publish(const BytesSample& sample) {
-    // The stream does not write, and its interface does not say so.
-    auto* const bytes = reinterpret_cast<std::uint8_t*>(const_cast<char*>(sample.data->data()));
-    ros::serialization::IStream stream(bytes, static_cast<std::uint32_t>(sample.data->size()));
-    message_.read(stream);
-    publisher_.publish(message_);
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(sample.data->data());
+    publisher_.publish(ros_utils::BytesMessage{{bytes, sample.data->size()}});
   }
 
   TopicAdvertiser& advertiser_;
   OutPort<BytesSample>& port_;
   ros::Publisher publisher_;
-  topic_tools::ShapeShifter message_;
   bool is_latched_ = false;
 };
 
@@ -87,22 +80,42 @@ void RadioRelay::sync() {
                          begins_with_header(topic->type().definition)};
   });
   taps_ = std::move(taps);
-  look_for_types();
+  const auto* const radio = board_.find_out<RadioSample>(kRadioPort);
+  relay_ = radio == nullptr ? nullptr : radio->value.relay;
+  const auto is_advertised = [this](const std::string& name) { return advertise(name); };
+  untyped_.erase(std::remove_if(untyped_.begin(), untyped_.end(), is_advertised), untyped_.end());
 }
 
-void RadioRelay::take_outputs() {
+void RadioRelay::take_outputs(SimTime end) {
   for (auto& [name, tap] : taps_) {
     const std::uint64_t count = tap.topic->port().count();
     if (count == tap.seen) continue;
     tap.seen = count;
-    tap.topic->each_message([&, &name = name, &tap = tap](ros_utils::DirectMessage& message) {
-      const auto frame = message.frame(sequences_[name]++);
-      constexpr std::size_t kLengthBytes = 4;
-      auto bytes = std::make_shared<const std::string>(
-          reinterpret_cast<const char*>(frame.data()) + kLengthBytes, frame.size() - kLengthBytes);
-      tap.input->write({tap.has_header ? header_stamp(*bytes) : SimTime{}, bytes, {}});
-    });
+    take(name, tap, end);
   }
+  const auto has_crossed = [this](const std::string& name) {
+    const PortBase* const port = board_.find(name, PortDirection::kOut);
+    return port != nullptr && port->count() > 0 && advertise(name);
+  };
+  const auto typed = std::remove_if(untyped_.begin(), untyped_.end(), has_crossed);
+  if (typed == untyped_.end()) return;
+  untyped_.erase(typed, untyped_.end());
+  outputs_.scan_subscribers();  // so that a latched one is published in this step
+}
+
+/// They count in this step, whatever their stamp says: what max_rate leaves out needs no bytes.
+void RadioRelay::take(const std::string& name, Tap& tap, SimTime end) {
+  if (relay_ != nullptr && relay_->is_thinned(name, end)) {
+    for (std::size_t i = 0; i < tap.topic->message_count(); ++i) tap.input->write({end, {}, {}});
+    return;
+  }
+  tap.topic->each_message([&](ros_utils::DirectMessage& message) {
+    BytesSample sample;
+    sample.data = std::make_shared<const std::string>(message.bytes(sequences_[name]++));
+    if (tap.has_header) sample.stamp = std::min(header_stamp(*sample.data), end);
+    sample.is_latched = tap.topic->is_latched();
+    tap.input->write(sample);
+  });
 }
 
 ros_utils::TopicType RadioRelay::type_of(const std::string& input) const {
@@ -111,16 +124,20 @@ ros_utils::TopicType RadioRelay::type_of(const std::string& input) const {
   return binding == nullptr ? ros_utils::TopicType{} : binding->type();
 }
 
-void RadioRelay::look_for_types() {
-  const auto advertise = [this](const std::string& name) {
-    auto* const topic = dynamic_cast<BytesTopic*>(outputs_.find(name));
-    if (topic == nullptr || topic->is_advertised()) return true;
-    const std::string& origin = static_cast<OutPort<BytesSample>&>(topic->port()).value.origin;
-    const ros_utils::TopicType type = type_of(origin);
-    if (!type.name.empty()) topic->advertise(type);
-    return topic->is_advertised();
-  };
-  untyped_.erase(std::remove_if(untyped_.begin(), untyped_.end(), advertise), untyped_.end());
+/// True: it needs no look any more.
+bool RadioRelay::advertise(const std::string& output) {
+  auto* const topic = dynamic_cast<BytesTopic*>(outputs_.find(output));
+  if (topic == nullptr || topic->is_advertised()) return true;
+  const std::string& origin = static_cast<OutPort<BytesSample>&>(topic->port()).value.origin;
+  const ros_utils::TopicType type = type_of(origin);
+  if (!type.name.empty()) topic->advertise(type);
+  return topic->is_advertised();
+}
+
+void RadioRelay::look_for_types(SimTime now) {
+  if (untyped_.empty() || !looks_.is_due(now)) return;
+  const auto is_advertised = [this](const std::string& name) { return advertise(name); };
+  untyped_.erase(std::remove_if(untyped_.begin(), untyped_.end(), is_advertised), untyped_.end());
 }
 
 }  // namespace trident::sim

@@ -4,12 +4,15 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "input_binder.h"
+#include "look_schedule.h"
 #include "port_binder.h"
 #include "trident_sim/bytes_sample.h"
+#include "trident_sim/relay.h"
 
 namespace trident::sim {
 
@@ -24,10 +27,11 @@ class RadioRelay {
 
   /// Follows ports that came or went; after both binders.
   void sync();
-  /// Hands over what the simulator has published in the step that was just made.
-  void take_outputs();
-  /// Advertises what has a type now.
-  void look_for_types();
+  /// Hands over what the simulator has published in the step that has ended at `end`, and
+  /// advertises what has crossed for the first time.
+  void take_outputs(SimTime end);
+  /// Advertises what has a type now. Looks only now and then.
+  void look_for_types(SimTime now);
 
  private:
   /// An input whose topic is one of the simulator's own.
@@ -38,11 +42,15 @@ class RadioRelay {
     bool has_header;
   };
   ros_utils::TopicType type_of(const std::string& input) const;
+  void take(const std::string& name, Tap& tap, SimTime end);
+  bool advertise(const std::string& output);
 
   PortBoard& board_;
   PortBinder& outputs_;
   InputBinder& inputs_;
   std::uint64_t version_ = ~std::uint64_t{0};
+  std::shared_ptr<const RelayReport> relay_;  ///< nullptr: the world has no rules
+  LookSchedule looks_;
   std::map<std::string, Tap> taps_;                 ///< by name
   std::vector<std::string> untyped_;                ///< outputs that are not advertised yet
   std::map<std::string, std::uint32_t> sequences_;  ///< of the headers of taps' messages
