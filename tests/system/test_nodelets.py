@@ -24,7 +24,10 @@ from harness import (
     pilot_of,
     pose,
     recorder,
+    vehicle_urdf,
 )
+from meadow import RADIO, ROBOT
+from std_msgs.msg import Header
 
 MANAGER = "/nodelets"
 VEHICLES = ("UAV1", "UAV2")
@@ -177,6 +180,27 @@ def test_a_controller_that_is_unloaded_is_missed_and_a_process_may_take_its_plac
     assert process.running
     with pilot_of("UAV1") as pilot:
         pilot.send("UAV1", 0.0, 0.0, 1.0, gazebo.time() + 1.0)
+
+
+def test_what_a_nodelet_of_the_same_process_publishes_crosses_by_radio(ros: Ros) -> None:
+    rules = ros.folder / "team.yaml"
+    rules.write_text("rules:\n  - {topic: command/accepted_setpoint, reliability: reliable}\n")
+    gazebo = Nodelets(ros, radio_rules=str(rules)).ready()
+    radio = f"<gazebo>{RADIO}</gazebo></robot>"
+    gazebo.spawn("UAV1", vehicle_urdf("UAV1").replace("</robot>", radio))
+    gazebo.spawn("boat", ROBOT, pose(x=60.0, z=1.0))
+    gazebo.controller("UAV1")
+    publisher = rospy.Publisher("/UAV1/command/pose", PoseStamped, queue_size=1)
+    with recorder("/boat/from/UAV1/command/accepted_setpoint", Header) as heard:
+        eventually(lambda: publisher.get_num_connections() > 0, "the controller")
+
+        def is_heard() -> bool:
+            publisher.publish(PoseStamped(pose=pose(0.0, 0.0, 1.0)))
+            gazebo.step(10)
+            return len(heard.messages) > 0
+
+        eventually(is_heard, "the nodelet's message by radio")
+    publisher.unregister()
 
 
 def test_the_server_may_be_unloaded_and_loaded_again(ros: Ros) -> None:

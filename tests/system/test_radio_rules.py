@@ -66,7 +66,7 @@ def test_what_a_user_gets_wrong_is_reported_once_and_the_rest_works(
         refused = outage(source, destination, rospy.Duration(1))
         assert not refused.success
         assert "radio 'ship'" in refused.message
-        assert "Known: boat, rover" in refused.message
+        assert "known: boat, rover" in refused.message
     film = rospy.Publisher("/rover/film", String, queue_size=10)
     chart = rospy.Publisher("/rover/map", String, queue_size=10)
     for publisher in (film, chart):

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -21,24 +22,27 @@ struct BytesMessage {
 };
 
 /// Hands the bytes of each message, and what its publisher says of itself (callerid, type, md5sum,
-/// message_definition, latching), to a function. A publisher in this process serializes its message
-/// once for all subscriptions that take bytes; those that take the object are not concerned.
+/// message_definition, latching), to a function. All such subscriptions of a topic in a process
+/// share the bytes. A publisher in this process serializes its message once; subscriptions that
+/// take its object get that, as ever.
 class AnySubscriptionHelper : public ros::SubscriptionCallbackHelper {
  public:
-  /// The bytes are valid during the call only.
-  using Handler = std::function<void(Span<const std::uint8_t>, ros::M_string& publisher)>;
+  using Bytes = std::shared_ptr<const std::string>;  ///< never nullptr
+  using Handler = std::function<void(const Bytes&, const ros::M_string& publisher)>;
 
   /// `handler` is called in the thread that receives.
   explicit AnySubscriptionHelper(Handler handler) : handler_(std::move(handler)) {}
 
-  /// Returns no message, so that roscpp does not call call().
   ros::VoidConstPtr deserialize(
       const ros::SubscriptionCallbackHelperDeserializeParams& p) override {
-    handler_({p.buffer, p.length}, *p.connection_header);
-    return {};
+    return boost::make_shared<Bytes>(
+        std::make_shared<std::string>(reinterpret_cast<const char*>(p.buffer), p.length));
   }
-  void call(ros::SubscriptionCallbackHelperCallParams&) override {}
-  const std::type_info& getTypeInfo() override { return typeid(void); }
+  void call(ros::SubscriptionCallbackHelperCallParams& p) override {
+    handler_(*boost::static_pointer_cast<Bytes const>(p.event.getConstMessage()),
+             p.event.getConnectionHeader());
+  }
+  const std::type_info& getTypeInfo() override { return typeid(Bytes); }
   bool isConst() override { return true; }
   bool hasHeader() override { return false; }
 

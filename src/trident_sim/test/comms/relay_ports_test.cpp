@@ -309,6 +309,18 @@ TEST(RelayPorts, RulesThatMatchNothingAreNamed) {
   EXPECT_EQ(two.world.report_count(Severity::kWarning, "rule 3"), 0u);
 }
 
+TEST(RelayPorts, ACommandThatTheSimulatorReadsItselfIsNoTopicOfARule) {
+  RelayWorld two("rules:\n  - {topic: radio/send}\n  - {topic: y}\n");
+  std::vector<std::string> heard;
+  two.write("a/y", "1");
+  two.step(10, "b/from/a/y", &heard);
+  EXPECT_EQ(heard, (std::vector<std::string>{"1"}));
+  EXPECT_EQ(two.world.report_count(
+                Severity::kWarning,
+                "rule 1 (radio/send): a/radio/send is a command that the simulator reads itself"),
+            1u);
+}
+
 TEST(RelayPorts, WhatTheFileCannotSayIsOneError) {
   const auto refusal = [](const std::string& rules) {
     WorldOptions strict;

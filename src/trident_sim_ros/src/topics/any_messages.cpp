@@ -28,14 +28,20 @@ SimTime header_stamp(const std::string& bytes) {
   return {kSecond_ns * fields[1] + fields[2]};
 }
 
-BytesSample BytesReader::read(Span<const std::uint8_t> bytes, ros::M_string& publisher) {
-  if (const std::string& md5sum = publisher["md5sum"]; md5sum_ != md5sum) {
+std::string publisher_field(const ros::M_string& publisher, const std::string& key) {
+  const auto field = publisher.find(key);
+  return field == publisher.end() ? "" : field->second;
+}
+
+BytesSample BytesReader::read(const std::shared_ptr<const std::string>& bytes,
+                              const ros::M_string& publisher) {
+  if (const std::string md5sum = publisher_field(publisher, "md5sum"); md5sum_ != md5sum) {
     md5sum_ = md5sum;
-    has_header_ = begins_with_header(publisher["message_definition"]);
+    has_header_ = begins_with_header(publisher_field(publisher, "message_definition"));
   }
   BytesSample sample;
-  sample.data = std::make_shared<const std::string>(bytes.begin(), bytes.end());
-  sample.is_latched = publisher["latching"] == "1";
+  sample.data = bytes;
+  sample.is_latched = publisher_field(publisher, "latching") == "1";
   if (has_header_) sample.stamp = header_stamp(*sample.data);
   return sample;
 }

@@ -193,8 +193,9 @@ class BytesBinding : public MailboxBinding<BytesSample> {
   BytesBinding(const Surroundings& around, InPort<BytesSample>& port)
       : MailboxBinding<BytesSample>(port, around) {
     const auto inbox = [mailbox = mailbox(), reader = std::make_shared<BytesReader>()](
-                           Span<const std::uint8_t> bytes, ros::M_string& publisher) {
-      mailbox->put(reader->read(bytes, publisher), publisher["callerid"]);
+                           const std::shared_ptr<const std::string>& bytes,
+                           const ros::M_string& publisher) {
+      mailbox->put(reader->read(bytes, publisher), publisher_field(publisher, "callerid"));
     };
     ros::SubscribeOptions options = ros_utils::any_subscription(
         "/" + port.name(), Mailbox<BytesSample>::kDepth, inbox, &around.queue);

@@ -26,12 +26,25 @@ void RelayPorts::report(const std::string& text) {
   world_.report(Severity::kWarning, file_ + ": " + text);
 }
 
+/// Who reads it takes values of its own type.
+bool RelayPorts::is_command(const std::string& input) const {
+  const PortBoard& board = world_.ports();
+  return board.find(input, PortDirection::kIn) != nullptr &&
+         board.find_in<BytesSample>(input) == nullptr;
+}
+
 void RelayPorts::add_inputs(const std::vector<std::string>& robots) {
   const std::vector<RelayRule>& rules = relay_.rules();
   for (const std::string& robot : robots) {
     for (std::size_t i = 0; i < rules.size(); ++i) {
       if (rules[i].is_service() || !rules[i].is_from(robot)) continue;
       const std::string name = robot + "/" + rules[i].topic;
+      if (is_command(name)) {
+        if (!reported_commands_.insert(name).second) continue;
+        report(rules[i].text(i) + ": " + name + " is a command that the simulator reads itself, " +
+               "legal: a topic that it does not read");
+        continue;
+      }
       Input& input = inputs_[name];
       if (!input.port) {
         PortBoard& board = world_.ports();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -70,6 +71,7 @@ class RelayPorts : public RelayReport, public RelayServices {
   using Latched = std::map<std::pair<std::size_t, std::string>, BytesSample>;  ///< rule, source
 
   void report(const std::string& text);
+  bool is_command(const std::string& input) const;
   void add_inputs(const std::vector<std::string>& robots);
   void add_outputs(const std::vector<std::string>& robots);
   void read(Input& input, SimTime now, Radio& radio);
@@ -87,6 +89,7 @@ class RelayPorts : public RelayReport, public RelayServices {
   std::vector<std::string> robots_;
   std::map<std::string, Input> inputs_;  ///< by port
   std::map<OutputKey, OutHandle<BytesSample>> outputs_;
+  std::set<std::string> reported_commands_;  ///< inputs that no rule can have
   std::vector<OutPort<BytesSample>*> fresh_;  ///< outputs with a message of this step
   // What changes from step to step.
   Relay relay_;
