@@ -27,7 +27,11 @@ class DirectMessage {
   /// header.seq. Valid until the next call.
   virtual Span<const std::uint8_t> frame(std::uint32_t sequence) = 0;
   /// The message without that length, serialized for the caller alone.
-  virtual std::string bytes(std::uint32_t sequence) = 0;
+  virtual std::string bytes(std::uint32_t sequence) {
+    const Span<const std::uint8_t> whole = frame(sequence);
+    const auto* const begin = reinterpret_cast<const char*>(whole.data()) + sizeof(std::uint32_t);
+    return std::string(begin, whole.size() - sizeof(std::uint32_t));
+  }
   /// Subscribers may keep it, so it does not change any more.
   virtual boost::shared_ptr<void const> object() = 0;
   /// Of the message object; subscribers in this process that want it get the object itself.

@@ -89,7 +89,7 @@ class RelayPorts : public RelayReport, public RelayServices {
   std::vector<std::string> robots_;
   std::map<std::string, Input> inputs_;  ///< by port
   std::map<OutputKey, OutHandle<BytesSample>> outputs_;
-  std::set<std::string> reported_commands_;  ///< inputs that no rule can have
+  std::set<std::string> reported_commands_;   ///< inputs that no rule can have
   std::vector<OutPort<BytesSample>*> fresh_;  ///< outputs with a message of this step
   // What changes from step to step.
   Relay relay_;
