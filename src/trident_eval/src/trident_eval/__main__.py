@@ -28,7 +28,7 @@ from trident_eval.core.missions import judge_missions, read_missions
 from trident_eval.core.page import Report, page
 from trident_eval.core.plots import draw_all
 from trident_eval.core.provenance import Provenance, read_object, read_provenance
-from trident_eval.core.relay import add_links
+from trident_eval.core.radio_verdict import add_links
 from trident_eval.core.report import table
 from trident_eval.core.scene import Scene, formation_scene
 from trident_eval.core.tracks import NoStatesError, read_states

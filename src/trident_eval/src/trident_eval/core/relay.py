@@ -1,17 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What crossed between robots by rules: `relay` and `calls` of `run.json`."""
+"""Topics that crossed between robots by rules: `relay` of `run.json`."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
-from pathlib import Path
-from typing import Any, TypeVar
+from dataclasses import dataclass
+from typing import Any
 
 from trident_eval.core.errors import EvalError
-from trident_eval.core.provenance import read_object
-from trident_eval.core.verdict import Verdict
+from trident_eval.core.run_entries import read_entries
 
 #: As a destination: a broadcast as it was sent; what arrived is in the entries of its receivers.
 ALL = "all"
@@ -73,42 +71,6 @@ class RelayFlow:
         return self.deadline_s > 0.0 and self.delay_max_s > self.deadline_s + _ROUNDING_S
 
 
-@dataclass(frozen=True)
-class CallFlow:
-    """What became of the calls of a service by one robot of another.
-
-    Attributes:
-        rule: its number and service, as in "rule 3 (arm)".
-        deadline_s: after it a call is an error [s].
-        caller: robot.
-        server: robot.
-        called: calls in all; what is in none of the next ones was in progress at the end.
-        answered: by the server.
-        failed: there was no server, or it reported an error.
-        refused: too large, or too many at once.
-        expired: no answer had come by the deadline.
-        aborted: ended for another reason.
-        delay_mean_s: from a call to its answer [s]; 0: none was answered.
-        delay_max_s: the same, the greatest.
-    """
-
-    rule: str
-    deadline_s: float
-    caller: str
-    server: str
-    called: int
-    answered: int
-    failed: int
-    refused: int
-    expired: int
-    aborted: int
-    delay_mean_s: float
-    delay_max_s: float
-
-
-_Flow = TypeVar("_Flow", RelayFlow, CallFlow)
-
-
 def read_relay(run: dict[str, Any], where: str) -> list[RelayFlow]:
     """What crossed of topics.
 
@@ -122,7 +84,7 @@ def read_relay(run: dict[str, Any], where: str) -> list[RelayFlow]:
     Raises:
         EvalError: an entry is not what the simulator writes.
     """
-    flows = _read(RelayFlow, run, "relay", where)
+    flows = read_entries(RelayFlow, run, "relay", where)
     for index, flow in enumerate(flows):
         if flow.thinned > flow.offered:
             raise EvalError(
@@ -130,61 +92,6 @@ def read_relay(run: dict[str, Any], where: str) -> list[RelayFlow]:
                 f"legal: at most offered, {flow.offered}"
             )
     return flows
-
-
-def read_calls(run: dict[str, Any], where: str) -> list[CallFlow]:
-    """What was called by radio.
-
-    Args:
-        run: run.json; may be empty.
-        where: its path, for messages.
-
-    Returns:
-        An entry for each rule, caller and server; none of a world without rules of services.
-
-    Raises:
-        EvalError: an entry is not what the simulator writes.
-    """
-    return _read(CallFlow, run, "calls", where)
-
-
-def _read(kind: type[_Flow], run: dict[str, Any], key: str, where: str) -> list[_Flow]:
-    found = run.get(key, [])
-    if not isinstance(found, list):
-        raise EvalError(f"{where}: {key}: {found!r}; legal: a list of objects")
-    return [_flow(kind, f"{where}: {key}[{index}]", entry) for index, entry in enumerate(found)]
-
-
-def _flow(kind: type[_Flow], where: str, entry: Any) -> _Flow:
-    if not isinstance(entry, dict):
-        raise EvalError(f"{where}: {entry!r}; legal: an object")
-    values = {}
-    for field in fields(kind):
-        if field.name not in entry:
-            raise EvalError(f"{where}.{field.name}: missing; legal: {_LEGAL[str(field.type)]}")
-        value = entry[field.name]
-        if not _is_of(str(field.type), value):
-            raise EvalError(f"{where}.{field.name}: {value!r}; legal: {_LEGAL[str(field.type)]}")
-        values[field.name] = value
-    return kind(**values)
-
-
-_LEGAL = {
-    "str": "a text that is not empty",
-    "bool": "true or false",
-    "int": "a whole number, at least 0",
-    "float": "a number, at least 0",
-}
-
-
-def _is_of(kind: str, value: Any) -> bool:
-    if kind == "str":
-        return isinstance(value, str) and value != ""
-    if kind == "bool" or isinstance(value, bool):
-        return kind == "bool" and isinstance(value, bool)
-    if kind == "int":
-        return isinstance(value, int) and value >= 0
-    return isinstance(value, int | float) and 0.0 <= value < math.inf
 
 
 def judge_links(
@@ -261,65 +168,3 @@ def _reasons(flows: list[RelayFlow], offered: int, nothing: bool) -> list[str]:
         for flow in flows
         if flow.is_late
     ]
-
-
-def judge_calls(
-    run: dict[str, Any], where: str = "run.json"
-) -> tuple[list[dict[str, Any]], list[str]]:
-    """Judge what was called by radio.
-
-    Args:
-        run: run.json; may be empty.
-        where: its path, for messages.
-
-    Returns:
-        A row for each rule, caller and server, and the reasons against the run: none of the calls
-        that have ended was answered. A single one may fail, as its caller knows.
-
-    Raises:
-        EvalError: `calls` is not what the simulator writes.
-    """
-    rows: list[dict[str, Any]] = []
-    reasons: list[str] = []
-    for flow in read_calls(run, where):
-        ended = flow.answered + flow.failed + flow.refused + flow.expired + flow.aborted
-        is_satisfied = flow.answered > 0 or ended == 0
-        rows.append(
-            {
-                "rule": flow.rule,
-                "caller": flow.caller,
-                "server": flow.server,
-                "deadline_s": flow.deadline_s,
-                "called": flow.called,
-                "answered": flow.answered,
-                "delay_mean_s": flow.delay_mean_s if flow.answered else None,
-                "delay_max_s": flow.delay_max_s if flow.answered else None,
-                "satisfied": is_satisfied,
-            }
-        )
-        if not is_satisfied:
-            count = f"{ended} call{'s' * (ended != 1)}"
-            reasons.append(
-                f"{flow.rule}: none of {count} of {flow.server} by {flow.caller} was answered"
-            )
-    return rows, reasons
-
-
-def add_links(verdict: Verdict, folder: Path) -> None:
-    """Put what crossed by rules into a verdict, as `relay` and `calls`; nothing without rules.
-
-    Args:
-        verdict: of the run, so far.
-        folder: of the run.
-    """
-    path = folder / "run.json"
-    try:
-        run = read_object(path)
-        judged = {"relay": judge_links(run, str(path)), "calls": judge_calls(run, str(path))}
-    except EvalError as error:
-        verdict.reasons.append(str(error))
-        return
-    for key, (rows, reasons) in judged.items():
-        if rows:
-            verdict.numbers[key] = rows
-        verdict.reasons += reasons
