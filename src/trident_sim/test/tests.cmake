@@ -183,6 +183,7 @@ catkin_add_gtest(trident_sim_comms_test
   test/comms/radio_plugins_test.cpp
   test/comms/relay_calls_test.cpp
   test/comms/relay_counts_test.cpp
+  test/comms/relay_latched_test.cpp
   test/comms/relay_ports_test.cpp
   test/comms/relay_rules_test.cpp
   test/comms/relay_test.cpp

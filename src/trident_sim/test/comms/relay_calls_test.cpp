@@ -79,18 +79,6 @@ std::string error_of_call(CallWorld& world) {
   return *world.results[0].data;
 }
 
-TEST(CallMessages, AreWhatTheyWere) {
-  const CallMessage message{CallMessageKind::kError, 1ULL << 50, std::string_view("\0x", 2)};
-  const std::string bytes = encode(message);
-  const auto back = decode_call(bytes);
-  ASSERT_TRUE(back);
-  EXPECT_EQ(back->kind, CallMessageKind::kError);
-  EXPECT_EQ(back->number, 1ULL << 50);
-  EXPECT_EQ(back->data, message.data);
-  for (std::size_t size = 0; size < 9; ++size) EXPECT_FALSE(decode_call(bytes.substr(0, size)));
-  EXPECT_FALSE(decode_call("X12345678"));
-}
-
 TEST(RelayCalls, TheAnswerOfTheOtherRobotsServerComesByRadio) {
   CallWorld two;
   two.step(3);

@@ -83,7 +83,7 @@ class LossyRadio : public Radio {
 };
 
 inline RelayRule rule(Reliability reliability, int depth, double deadline_s,
-               std::vector<std::string> to = {"b"}) {
+                      std::vector<std::string> to = {"b"}) {
   RelayRule result;
   result.topic = "topic";
   result.from = {"a"};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "comms/relay/datagram.h"
+#include "comms/relay/relay_calls.h"
 #include "trident_base/error.h"
 #include "trident_base/random_stream.h"
 #include "trident_sim/bytes_sample.h"
@@ -58,6 +59,18 @@ TEST(Datagram, ChanceBytesAreNone) {
     EXPECT_TRUE(!part || part->parts == 0 || part->part < part->parts);
     decode_ack(bytes);
   }
+}
+
+TEST(CallMessages, AreWhatTheyWere) {
+  const CallMessage message{CallMessageKind::kError, 1ULL << 50, std::string_view("\0x", 2)};
+  const std::string bytes = encode(message);
+  const auto back = decode_call(bytes);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->kind, CallMessageKind::kError);
+  EXPECT_EQ(back->number, 1ULL << 50);
+  EXPECT_EQ(back->data, message.data);
+  for (std::size_t size = 0; size < 9; ++size) EXPECT_FALSE(decode_call(bytes.substr(0, size)));
+  EXPECT_FALSE(decode_call("X12345678"));
 }
 
 TEST(StampUse, AMessageCountsAtItsStampUnlessThatIsOfAnotherClock) {

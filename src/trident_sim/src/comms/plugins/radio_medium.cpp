@@ -16,9 +16,6 @@
 namespace trident::sim {
 namespace {
 
-// What waits in an inbox for somebody to ask, at most.
-constexpr std::size_t kMaxMessages = 10000;
-constexpr std::size_t kMaxInboxBytes = 4000000;
 constexpr int kMaxRadioPort = 65535;
 
 void add_counts(const LinkCounts& counts, RadioLink* link) {
@@ -163,30 +160,6 @@ void RadioMedium::step(const StepInfo& info) {
   follow_outages(info.begin);
   channel_.advance(info.end.ns, *this);
   take_deliveries();
-}
-
-std::uint64_t Inbox::add(RadioMessage message) {
-  bytes_ += message.data.size();
-  messages_.push_back(std::move(message));
-  std::uint64_t gone = 0;
-  for (; messages_.size() > kMaxMessages || bytes_ > kMaxInboxBytes; ++gone) {
-    bytes_ -= messages_.front().data.size();
-    messages_.pop_front();
-  }
-  return gone;
-}
-
-std::vector<RadioMessage> Inbox::take(SimTime now) {
-  std::vector<RadioMessage> result;
-  const auto later =
-      std::stable_partition(messages_.begin(), messages_.end(),
-                            [now](const RadioMessage& m) { return m.received <= now; });
-  std::move(messages_.begin(), later, std::back_inserter(result));
-  messages_.erase(messages_.begin(), later);
-  for (const RadioMessage& message : result) bytes_ -= message.data.size();
-  std::stable_sort(result.begin(), result.end(),
-                   [](const auto& a, const auto& b) { return a.received < b.received; });
-  return result;
 }
 
 void RadioMedium::take_deliveries() {

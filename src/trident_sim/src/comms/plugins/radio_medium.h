@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -13,6 +12,7 @@
 
 #include "comms/links/radio_links.h"
 #include "comms/mac/radio_channel.h"
+#include "comms/plugins/radio_inbox.h"
 #include "trident_sim/radio.h"
 #include "trident_sim/world.h"
 
@@ -22,19 +22,6 @@ namespace trident::sim {
 struct OutageRegion {
   Eigen::Vector2d center;  ///< world frame [m]
   double radius_m = 0.0;
-};
-
-/// What a radio has received and nobody has asked for yet; the oldest goes when it is full.
-class Inbox {
- public:
-  /// Returns how many messages had to go.
-  std::uint64_t add(RadioMessage message);
-  /// Those that have come by then, oldest first.
-  std::vector<RadioMessage> take(SimTime now);
-
- private:
-  std::deque<RadioMessage> messages_;
-  std::size_t bytes_ = 0;
 };
 
 /// The radios of a world, found by their ports, and what happens between them.
