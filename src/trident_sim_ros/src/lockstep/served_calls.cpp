@@ -14,51 +14,52 @@
 
 namespace trident::sim {
 
-/// One call of a server, on a thread of its own.
+/// One call of a server, on a thread of its own, which may outlive it: who asks the master cannot
+/// be interrupted.
 class ServedCalls::Attempt {
  public:
   Attempt(const ServedCall& call, const ros_utils::ServiceType& type,
           std::shared_ptr<MessageBell> bell)
-      : client_(name_at_server(call.service)), bell_(std::move(bell)) {
-    thread_ = std::thread(
-        [this, number = call.number, request = call.request,
-         md5sum = type.md5sum.empty() ? "*" : type.md5sum] { run(number, md5sum, *request); });
+      : state_(std::make_shared<State>(name_at_server(call.service))) {
+    const std::string md5sum = type.md5sum.empty() ? "*" : type.md5sum;
+    std::thread([state = state_, bell = std::move(bell), number = call.number,
+                 request = call.request, md5sum] {
+      state->run(number, md5sum, *request);
+      bell->ring();
+    }).detach();
   }
-  ~Attempt() {
-    client_.cancel();
-    thread_.join();
-  }
+  ~Attempt() { state_->client.cancel(); }
   Attempt(const Attempt&) = delete;
   Attempt& operator=(const Attempt&) = delete;
 
   /// nullopt: the server has not answered yet.
   std::optional<CallResult> result() const {
-    const Lock lock(mutex_);
-    return result_;
+    const Lock lock(state_->mutex);
+    return state_->result;
   }
 
  private:
-  void run(std::uint64_t number, const std::string& md5sum, const std::string& request) {
-    CallResult result{number, false, nullptr};
-    try {
-      ros_utils::hand_over("call handed to its server");
-      result.data = std::make_shared<const std::string>(client_.call(md5sum, request));
-      result.is_answered = true;
-    } catch (const std::exception& error) {
-      result.data = std::make_shared<const std::string>(error.what());
-    }
-    {
-      const Lock lock(mutex_);
-      result_ = std::move(result);
-    }
-    bell_->ring();
-  }
+  struct State {
+    explicit State(const std::string& service) : client(service) {}
 
-  ros_utils::RawServiceClient client_;
-  std::shared_ptr<MessageBell> bell_;
-  mutable Mutex mutex_;
-  std::optional<CallResult> result_ TRIDENT_GUARDED_BY(mutex_);
-  std::thread thread_;
+    void run(std::uint64_t number, const std::string& md5sum, const std::string& request) {
+      CallResult answer{number, false, nullptr};
+      try {
+        ros_utils::hand_over("call handed to its server");
+        answer.data = std::make_shared<const std::string>(client.call(md5sum, request));
+        answer.is_answered = true;
+      } catch (const std::exception& error) {
+        answer.data = std::make_shared<const std::string>(error.what());
+      }
+      const Lock lock(mutex);
+      result = std::move(answer);
+    }
+
+    ros_utils::RawServiceClient client;
+    mutable Mutex mutex;
+    std::optional<CallResult> result TRIDENT_GUARDED_BY(mutex);
+  };
+  std::shared_ptr<State> state_;
 };
 
 ServedCalls::ServedCalls(ServiceTypes& types, std::shared_ptr<MessageBell> bell, LossWatch& losses)
