@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from hostile import SEED, messages, note_treated, started
-from trident.testing import Gazebo, Launch, Ros, pose, program
+from trident.testing import Gazebo, Launch, Ros, pose, program, vehicle_urdf
 from trident.testing.fuzz import Campaign, CampaignOptions, Target
 
 LEADER = "/UAV1/odometry_sensor1/odometry"
@@ -21,6 +21,12 @@ NODES = {
     "UAV2": ("trident_fleet", "waypoint_flight.py", 1),
     "UAV3": ("rotors_teleop", "rotors_formation_son.py", 100),
 }
+
+RADIO = '<plugin name="radio" filename="libtrident_radio.so"/>'
+BOAT = f"""<sdf version="1.6"><model name="boat"><static>true</static><link name="link"/>
+<plugin name="truth" filename="libgazebo_ros_p3d.so"><topicName>odom</topicName>
+<bodyName>link</bodyName></plugin>{RADIO}</model></sdf>"""
+RULES = "rules: [{topic: odom, from: [boat], to: [UAV1]}]\n"
 
 
 def withstands(node: str, part: int = 1) -> None:
@@ -72,6 +78,28 @@ def test_a_follower(ros: Ros) -> None:
         run.step_to(1.0)
         withstands("/leader_follower")
         has_stood_it(run)
+
+
+@pytest.mark.fuzzes("trident_fleet/base_station.py")
+def test_a_base_station(ros: Ros, tmp_path: Path) -> None:
+    """It decides at each status of its links, and takes none of a stranger."""
+    rules = tmp_path / "rules.yaml"
+    rules.write_text(RULES, encoding="utf-8")
+    simulation = Gazebo(ros, radio_rules=str(rules), wait_for=1, wait_for_sources=1).ready()
+    urdf = vehicle_urdf("UAV1").replace("</robot>", f"<gazebo>{RADIO}</gazebo></robot>")
+    simulation.spawn("boat", BOAT, pose(x=40.0))
+    simulation.spawn("UAV1", urdf, pose(z=0.1))
+    simulation.controller("UAV1")
+    words = ["_vehicle:=UAV1", "_links:=[boat]"]
+    fence = "_fence:=[[-30, -30], [30, -30], [30, 30], [-30, 30]]"
+    command = [program("trident_fleet", "base_station.py"), "__name:=base_station"]
+    process = started(ros, "/base_station", [*command, *words, fence])
+    simulation.step_to(2.0)
+    withstands("/base_station", 5)
+    has_no_traceback("base_station", process.log)
+    assert process.running, process.log
+    simulation.step_to(4.0)
+    assert process.stop(signal.SIGINT) == 0
 
 
 @pytest.fixture

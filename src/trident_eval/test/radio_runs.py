@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Any
 
 HEADER = (
-    "t,source,destination,distance,snr_db,mcs,delivered,lost,expired,refused,line_of_sight,relayed"
+    "t,source,destination,distance,snr_db,mcs,delivered,lost,expired,refused,line_of_sight,relayed,"
+    "offered"
 )
 
 
@@ -57,7 +58,7 @@ def three_radios(seconds: float = 20.0) -> list[str]:
         ]:
             delivered = round(5 * t) if snr > 1.0 else round(5 * 15.0)
             counts = f"{delivered},{tick},0,0" if source == "gcs" else "0,0,0,0"
-            lines.append(f"{t:.9g},{source},{destination},{8 * t:.9g},{snr:.9g},3,{counts},1,0")
-            back = f"{t:.9g},{destination},{source},{8 * t:.9g},{snr:.9g},3,0,0,0,0,1,0"
+            lines.append(f"{t:.9g},{source},{destination},{8 * t:.9g},{snr:.9g},3,{counts},1,0,0")
+            back = f"{t:.9g},{destination},{source},{8 * t:.9g},{snr:.9g},3,0,0,0,0,1,0,0"
             lines.append(back)
     return lines

@@ -21,7 +21,7 @@ from trident_eval.core.relay import judge_links, read_relay
 from trident_eval.core.report import Row, table, verdict_rows
 from trident_eval.core.verdict import Verdict
 
-GOOD_LINE = "0.5,a,b,10,20,7,1,0,0,0,1,0"
+GOOD_LINE = "0.5,a,b,10,20,7,1,0,0,0,1,0,0"
 ODOMETRY, DETECTIONS = "rule 1 (odometry)", "rule 2 (detections)"
 
 
@@ -39,7 +39,7 @@ def heard(destination: str, delivered: int) -> dict[str, Any]:
 
 
 def test_links_are_read_in_any_order(tmp_path: Path) -> None:
-    lines = ["1,b,a,12.5,-inf,0,3,2,1,4,0,0", GOOD_LINE, "1,a,b,12.5,19.5,7,5,0,0,0,1,0"]
+    lines = ["1,b,a,12.5,-inf,0,3,2,1,4,0,0,0", GOOD_LINE, "1,a,b,12.5,19.5,7,5,0,0,0,1,0,0"]
     write_links(tmp_path, lines)
     log = read_links(tmp_path)
     assert log is not None
@@ -71,16 +71,16 @@ def test_a_torn_last_line_is_left_out(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "what"),
     [
-        ("x,a,b,10,20,7,1,0,0,0,1,0", "links.csv:3: t: 'x'; legal: seconds, at most 1e9"),
-        ("nan,a,b,10,20,7,1,0,0,0,1,0", "links.csv:3: t: 'nan'; legal: seconds"),
-        ("1,,b,10,20,7,1,0,0,0,1,0", "links.csv:3: source: ''; legal: the name of a radio"),
-        ("1,a,b,-1,20,7,1,0,0,0,1,0", "links.csv:3: distance: '-1'; legal: meters, at least 0"),
-        ("1,a,b,10,inf,7,1,0,0,0,1,0", "links.csv:3: snr_db: 'inf'; legal: dB, or -inf"),
-        ("1,a,b,10,nan,7,1,0,0,0,1,0", "links.csv:3: snr_db: 'nan'; legal: dB, or -inf"),
-        ("1,a,b,10,20,7.5,1,0,0,0,1,0", "links.csv:3: mcs: '7.5'; legal: a whole number"),
-        ("1,a,b,10,20,7,-1,0,0,0,1,0", "links.csv:3: delivered: '-1'; legal: a whole number, at"),
-        ("1,a,b,10,20,7,1,inf,0,0,1,0", "links.csv:3: lost: 'inf'; legal: a whole number, at"),
-        ("1,a,b,10,20,7,1,0,0,0,2,0", "links.csv:3: line_of_sight: '2'; legal: 0 or 1"),
+        ("x,a,b,10,20,7,1,0,0,0,1,0,0", "links.csv:3: t: 'x'; legal: seconds, at most 1e9"),
+        ("nan,a,b,10,20,7,1,0,0,0,1,0,0", "links.csv:3: t: 'nan'; legal: seconds"),
+        ("1,,b,10,20,7,1,0,0,0,1,0,0", "links.csv:3: source: ''; legal: the name of a radio"),
+        ("1,a,b,-1,20,7,1,0,0,0,1,0,0", "links.csv:3: distance: '-1'; legal: meters, at least 0"),
+        ("1,a,b,10,inf,7,1,0,0,0,1,0,0", "links.csv:3: snr_db: 'inf'; legal: dB, or -inf"),
+        ("1,a,b,10,nan,7,1,0,0,0,1,0,0", "links.csv:3: snr_db: 'nan'; legal: dB, or -inf"),
+        ("1,a,b,10,20,7.5,1,0,0,0,1,0,0", "links.csv:3: mcs: '7.5'; legal: a whole number"),
+        ("1,a,b,10,20,7,-1,0,0,0,1,0,0", "links.csv:3: delivered: '-1'; legal: a whole number, at"),
+        ("1,a,b,10,20,7,1,inf,0,0,1,0,0", "links.csv:3: lost: 'inf'; legal: a whole number, at"),
+        ("1,a,b,10,20,7,1,0,0,0,2,0,0", "links.csv:3: line_of_sight: '2'; legal: 0 or 1"),
         ("1,a,b,10,20", "links.csv:3: mcs: None; legal: a whole number"),
         ("1", "links.csv:3: source: None; legal: the name of a radio"),
     ],

@@ -35,9 +35,9 @@ py::list receive(Session& session, const std::string& name) {
   return result;
 }
 
-py::list links(Session& session) {
+py::list links(Session& session, const std::string& source) {
   py::list result;
-  for (const RadioLink& l : radio_of(session).links()) {
+  for (const RadioLink& l : radio_of(session).links(source)) {
     result.append(py::make_tuple(l.source, l.destination, l.distance_m, l.loss_db, l.snr_db, l.mcs,
                                  l.sent, l.delivered, l.lost, l.expired, l.refused,
                                  l.mean_delay_s()));
@@ -58,7 +58,8 @@ void bind_radio(py::module_& module) {
              py::arg("data"), py::arg("priority"), py::arg("deadline"), "See Radio.send.");
   module.def("radio_receive", &receive, py::arg("session"), py::arg("name"),
              "Fields of the messages; see Radio.receive.");
-  module.def("radio_links", &links, py::arg("session"), "Fields of the links; see Radio.links.");
+  module.def("radio_links", &links, py::arg("session"), py::arg("source"),
+             "Fields of the links; see Radio.links.");
   module.def(
       "radio_set_outage",
       [](Session& s, const std::string& name, bool is_out) {

@@ -121,9 +121,16 @@ class Radio:
         """
         return [RadioMessage(*fields) for fields in radio_receive(self._session, name)]
 
-    def links(self) -> list[RadioLink]:
-        """Every radio to every other one, by their names."""
-        return [RadioLink(*fields) for fields in radio_links(self._session)]
+    def links(self, source: str = "") -> list[RadioLink]:
+        """Every radio to every other one, or those from one, by their names.
+
+        Args:
+            source: name of a radio; "": all of them.
+
+        Raises:
+            Error: an unknown name.
+        """
+        return [RadioLink(*fields) for fields in radio_links(self._session, source)]
 
     def set_outage(self, name: str, out: bool) -> None:
         """Switches a radio off, so that it neither sends nor hears, or on again.

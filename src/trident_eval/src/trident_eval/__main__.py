@@ -21,6 +21,7 @@ from trident_eval.core.exit_codes import exit_code_of
 from trident_eval.core.faults import add_faults, read_faults
 from trident_eval.core.flight_records import Command, read_command
 from trident_eval.core.link_plots import draw_links
+from trident_eval.core.link_trial import add_trial, read_stations
 from trident_eval.core.links import read_links
 from trident_eval.core.log_warnings import log_warnings
 from trident_eval.core.mission_plots import draw_missions
@@ -31,6 +32,7 @@ from trident_eval.core.provenance import Provenance, read_object, read_provenanc
 from trident_eval.core.radio_verdict import add_links
 from trident_eval.core.report import table
 from trident_eval.core.scene import Scene, formation_scene
+from trident_eval.core.station_plots import draw_stations
 from trident_eval.core.tracks import NoStatesError, read_states
 from trident_eval.core.vehicles import flights
 from trident_eval.core.verdict import Verdict, judge, take_over
@@ -85,6 +87,7 @@ def _verdict(options: argparse.Namespace) -> int:
     except EvalError as error:
         verdict = _without_results(folder, error)
     add_links(verdict, folder)
+    add_trial(verdict, folder)
     add_faults(verdict, read_faults(folder), notes)
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)
@@ -137,6 +140,7 @@ def _report(options: argparse.Namespace) -> int:
     if source.is_dir():
         scene, verdict = _judge_folder(source)
         add_links(verdict, source)
+        add_trial(verdict, source)
         add_faults(verdict, read_faults(source), [])
         numbers: dict[str, Any] | None = verdict.to_json()
         folder = options.out or source
@@ -174,7 +178,11 @@ def _draw(scene: Scene | None, source: Path, folder: Path) -> list[Path]:
     """The pictures in the order of the report: of a scene, and of radios where there are any."""
     pictures = _draw_scene(scene, source, folder) if scene else []
     if source.is_dir() and (links := read_links(source)):
-        pictures += draw_links(links, source.resolve().name, folder)
+        title = source.resolve().name
+        pictures += draw_links(links, title, folder)
+        if scene and (stations := read_stations(source)):
+            tracks = read_states(source / "states.csv")
+            pictures = draw_stations(tracks, links, stations, title, folder) + pictures
     return pictures
 
 

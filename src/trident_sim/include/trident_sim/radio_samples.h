@@ -35,10 +35,17 @@ struct LinkStatusSample {
   std::vector<std::string> route;  ///< of what rules send from the source on, both ends included
 };
 
+/// A topic of another robot that has come by rules (trident_msgs/HeardTopic).
+struct HeardTopicSample {
+  std::string topic;           ///< below the robot's namespace: from/<source>/<topic>
+  std::uint64_t messages = 0;  ///< since the radios were reset
+};
+
 /// Links of one moment (trident_msgs/LinkStatusArray).
 struct LinkStatusArraySample {
   SimTime stamp;                        ///< of the state that was looked at
   std::vector<LinkStatusSample> links;  ///< by source, then destination
+  std::vector<HeardTopicSample> heard;  ///< of one robot, by topic; of all robots' links empty
 };
 
 }  // namespace trident::sim

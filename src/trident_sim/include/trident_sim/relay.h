@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -96,6 +97,8 @@ class RelayReport {
   /// Whether a message of that topic ("uav1/odom") which counts then is left out for max_rate by
   /// all rules, so that nobody needs its bytes.
   virtual bool is_thinned(const std::string& topic, SimTime at) const = 0;
+  /// Messages that have come to a robot so far, by topic: from/<source>/<topic>.
+  virtual std::map<std::string, std::uint64_t> heard(const std::string& robot) const = 0;
   /// From a robot over all hops to another one; ends where no route is known.
   virtual std::vector<std::string> route(const std::string& source,
                                          const std::string& destination) const = 0;

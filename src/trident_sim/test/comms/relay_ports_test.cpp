@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "relay_world.h"
+#include "trident_sim/radio_samples.h"
 
 namespace trident::sim {
 namespace {
@@ -92,6 +93,22 @@ TEST(RelayPorts, ReliableOnesSurviveAnOutage) {
   ASSERT_FALSE(flows.empty());
   EXPECT_EQ(flows.back().rule, "rule 2 (detections)");
   EXPECT_EQ(flows.back().counts.delivered, 100u);
+}
+
+TEST(RelayPorts, ARobotsStatusSaysHowManyMessagesHaveComeToIt) {
+  RelayWorld two(kRules);
+  auto* const status = two.world->ports().find_out<LinkStatusArraySample>("b/link_status");
+  ASSERT_NE(status, nullptr);
+  status->add_listener();
+  std::vector<std::string> heard;
+  for (int i = 0; i < 10; ++i) {
+    two.write("a/detections", "x");
+    two.step(10, "b/from/a/detections", &heard);
+  }
+  ASSERT_EQ(heard.size(), 10u);
+  ASSERT_EQ(status->value.heard.size(), 1u);
+  EXPECT_EQ(status->value.heard[0].topic, "from/a/detections");
+  EXPECT_EQ(status->value.heard[0].messages, 10u);
 }
 
 constexpr const char* kRoutedRules = R"(

@@ -54,6 +54,11 @@ void convert(const LinkStatusArraySample& sample, trident_msgs::LinkStatusArray&
     message.links[i].header = message.header;
     convert(sample.links[i], message.links[i]);
   }
+  message.heard.resize(sample.heard.size());
+  for (std::size_t i = 0; i < sample.heard.size(); ++i) {
+    message.heard[i].topic = sample.heard[i].topic;
+    message.heard[i].messages = sample.heard[i].messages;
+  }
 }
 
 RadioPacketSample from_packet(const trident_msgs::RadioPacket& message) {

@@ -20,7 +20,7 @@ constexpr std::int64_t kLinkPeriodNs = 500'000'000;
 constexpr const char* kStateColumns = "t,name,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n";
 constexpr const char* kLinkColumns =
     "t,source,destination,distance,snr_db,mcs,delivered,lost,expired,refused,line_of_sight,"
-    "relayed\n";
+    "relayed,offered\n";
 
 std::FILE* open_for_writing(const std::string& path) {
   std::FILE* file = std::fopen(path.c_str(), "w");
@@ -62,14 +62,21 @@ void write_notes(std::FILE* file, const Repeatability& repeatability) {
   std::fputs("]", file);
 }
 
+/// Messages between two robots.
+struct Crossing {
+  unsigned long long delivered = 0;
+  unsigned long long offered = 0;  ///< to that robot alone, without what max_rate leaves out
+};
+
 /// How many have crossed by rules, by source and destination.
-std::map<std::pair<std::string, std::string>, unsigned long long> relayed_messages(
-    const World& world) {
-  std::map<std::pair<std::string, std::string>, unsigned long long> result;
+std::map<std::pair<std::string, std::string>, Crossing> relayed_messages(const World& world) {
+  std::map<std::pair<std::string, std::string>, Crossing> result;
   const auto relay = find_relay(world);
   if (relay == nullptr) return result;
   for (const RelayFlow& flow : relay->flows()) {
-    result[{flow.source, flow.destination}] += flow.counts.delivered;
+    Crossing& crossing = result[{flow.source, flow.destination}];
+    crossing.delivered += flow.counts.delivered;
+    crossing.offered += flow.counts.offered - flow.counts.thinned;
   }
   return result;
 }
@@ -168,16 +175,16 @@ void RunFiles::record_links(const World& world) {
     links_ = open_for_writing(folder_ + "/links.csv");
     std::fputs(kLinkColumns, links_);
   }
-  const auto relayed = relayed_messages(world);
+  auto relayed = relayed_messages(world);
   for (const RadioLink& link : radio->links()) {
-    const auto messages = relayed.find({link.source, link.destination});
+    const Crossing& messages = relayed[{link.source, link.destination}];
     std::fprintf(
-        links_, "%.9g,%s,%s,%.9g,%.9g,%d,%llu,%llu,%llu,%llu,%d,%llu\n", world.time().seconds(),
-        link.source.c_str(), link.destination.c_str(), link.distance_m, link.snr_db, link.mcs,
-        static_cast<unsigned long long>(link.delivered), static_cast<unsigned long long>(link.lost),
-        static_cast<unsigned long long>(link.expired),
+        links_, "%.9g,%s,%s,%.9g,%.9g,%d,%llu,%llu,%llu,%llu,%d,%llu,%llu\n",
+        world.time().seconds(), link.source.c_str(), link.destination.c_str(), link.distance_m,
+        link.snr_db, link.mcs, static_cast<unsigned long long>(link.delivered),
+        static_cast<unsigned long long>(link.lost), static_cast<unsigned long long>(link.expired),
         static_cast<unsigned long long>(link.refused), link.has_line_of_sight ? 1 : 0,
-        messages == relayed.end() ? 0ULL : messages->second);
+        messages.delivered, messages.offered);
   }
 }
 

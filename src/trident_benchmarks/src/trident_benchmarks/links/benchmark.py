@@ -7,10 +7,15 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+SUITES = ("goodput", "adaptive", "cost", "station")
+
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Its options."""
-    parser.add_argument("--quick", action="store_true", help="shorter runs, 8 distances of 40")
+    parser.add_argument(
+        "--quick", action="store_true", help="shorter runs, 8 distances of 40, 2 coasts of 30"
+    )
+    parser.add_argument("--suite", choices=SUITES, action="append", help="one of them; all")
     parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
     parser.add_argument("--picture", type=Path, metavar="FILE.png", help="goodput over distance")
     parser.add_argument("--coast", type=Path, metavar="FILE.png", help="how radios cover the coast")

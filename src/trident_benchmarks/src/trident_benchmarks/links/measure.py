@@ -6,10 +6,12 @@ from __future__ import annotations
 
 import argparse
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
+from trident_benchmarks.links.benchmark import SUITES
 from trident_benchmarks.links.radios import circle, goodput, radio_world, saturating
+from trident_benchmarks.links.station import station_line, station_row
 from trident_benchmarks.results import (
     FAILED,
     MEASURED,
@@ -23,6 +25,7 @@ GOODPUT_LIMIT = 0.06  # of ns-3's figure
 ADAPTIVE_LIMIT = 0.92  # of the best fixed rate
 _NEAR_M = 10.0
 _FULL_AMPDU = 65535
+_COASTS = 30
 
 
 class Reference(NamedTuple):
@@ -165,15 +168,21 @@ def load_row(load: Load, seconds: float) -> dict[str, Any]:
     }
 
 
-def _rows(is_quick: bool) -> Iterator[dict[str, Any]]:
-    for reference in NS3_RUNS:
-        yield goodput_row(reference, 1.0 if is_quick else 5.0)
-    count = 8 if is_quick else 40
-    for i in range(count):
-        # From the nearest place that matters to the end of the reach, in equal ratios.
-        yield adaptive_row(40.0 * 60.0 ** (i / (count - 1)), is_quick)
-    for load in LOADS:
-        yield load_row(load, 5.0 if is_quick else 20.0)
+def _rows(suites: Sequence[str], is_quick: bool) -> Iterator[dict[str, Any]]:
+    if "goodput" in suites:
+        for reference in NS3_RUNS:
+            yield goodput_row(reference, 1.0 if is_quick else 5.0)
+    if "adaptive" in suites:
+        count = 8 if is_quick else 40
+        for i in range(count):
+            # From the nearest place that matters to the end of the reach, in equal ratios.
+            yield adaptive_row(40.0 * 60.0 ** (i / (count - 1)), is_quick)
+    if "cost" in suites:
+        for load in LOADS:
+            yield load_row(load, 5.0 if is_quick else 20.0)
+    if "station" in suites:
+        for seed in range(1, (2 if is_quick else _COASTS) + 1):
+            yield station_row(seed)
 
 
 def line(row: dict[str, Any]) -> str:
@@ -190,6 +199,8 @@ def line(row: dict[str, Any]) -> str:
         return (
             f"{row['distance_m']:.0f} m: {row['mbit_s']:.2f} Mbit/s, of the best {share}{verdict}"
         )
+    if row["suite"] == "station":
+        return station_line(row)
     return (
         f"{row['load']}: {row['cpu_s_per_s']:.4f} CPU s per simulated s (<= {row['limit']}),"
         f" {row['received']} of {row['sent']} heard by one{verdict}"
@@ -202,7 +213,7 @@ def measure(options: argparse.Namespace) -> int:
     check_folder(options.picture)
     check_folder(options.coast)
     document = new_document() | {"rows": []}
-    for row in _rows(options.quick):
+    for row in _rows(options.suite or SUITES, options.quick):
         document["rows"].append(row)
         print(line(row), flush=True)
         write_document(options.out, document)

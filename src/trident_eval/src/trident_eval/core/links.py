@@ -36,6 +36,7 @@ class LinkLog:
         refused: the queue was full.
         line_of_sight: 1: nothing was in the path; 0: something was.
         relayed: messages that crossed by rules, broadcasts among them.
+        offered: messages that rules had for that robot alone.
     """
 
     time: Array
@@ -49,6 +50,7 @@ class LinkLog:
     refused: Array
     line_of_sight: Array
     relayed: Array
+    offered: Array
 
 
 def _is_whole(value: float) -> bool:
@@ -68,6 +70,7 @@ _CELLS: dict[str, _Legal] = {
     "refused": _COUNT,
     "line_of_sight": ("0 or 1", lambda value: value in (0.0, 1.0)),
     "relayed": _COUNT,
+    "offered": _COUNT,
 }
 _VALUES = tuple(_CELLS)[1:]
 _COLUMNS = ("t", "source", "destination", *_VALUES)

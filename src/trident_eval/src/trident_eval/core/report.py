@@ -52,8 +52,28 @@ def verdict_rows(verdict: dict[str, Any]) -> list[Row]:
     shown += _not_repeatable(verdict)
     platforms: dict[str, dict[str, Any]] = verdict.get("platforms") or {}
     shown += [_platform_row(name, numbers) for name, numbers in platforms.items()]
+    shown += _trial_rows(verdict.get("link_trial") or {})
     shown += [_relay_row(numbers) for numbers in verdict.get("relay") or []]
     return shown + [_call_row(numbers) for numbers in verdict.get("calls") or []]
+
+
+def _trial_rows(trial: dict[str, Any]) -> list[Row]:
+    """What crossed without a base station of the air, and with one."""
+    rows = []
+    for key, word in (("direct", "directly"), ("relayed", "with base station")):
+        if key not in trial:
+            continue
+        numbers = trial[key]
+        share, limit = numbers["share"], numbers["limit"]
+        counts = f"{numbers['delivered']} of {numbers['offered']}"
+        value = counts if share is None else f"{100.0 * share:.1f} %, {counts}"
+        value += f", {numbers['from_s']:.0f} s to {numbers['to_s']:.0f} s"
+        is_above = share is not None and share >= limit
+        is_satisfied = share is not None and is_above == (key == "relayed")
+        held = "below" if key == "direct" else "at least"
+        label = f"{trial['source']} -> {trial['destination']} {word}"
+        rows.append(Row(label, value, f"{held} {100.0 * limit:g} %", is_satisfied))
+    return rows
 
 
 def _not_repeatable(verdict: dict[str, Any]) -> list[Row]:

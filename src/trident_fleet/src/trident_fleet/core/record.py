@@ -7,6 +7,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
@@ -86,7 +87,12 @@ def write_record(folder: Path, record: dict[str, Any]) -> Path:
     """
     # A leader has a record of its own flight, too.
     prefix = f"{FOLLOW}_" if record.get("mode") == FOLLOW else ""
-    path = record_path(folder, prefix + record["vehicle"])
+    return write_object(record_path(folder, prefix + record["vehicle"]), record)
+
+
+def write_object(path: Path, record: Mapping[str, Any]) -> Path:
+    """Write an object as a file of its own. As `write_record`."""
+    folder = path.parent
     try:
         folder.mkdir(parents=True, exist_ok=True)
         partial = path.with_suffix(f".{os.getpid()}.tmp")

@@ -8,23 +8,18 @@ import struct
 from collections.abc import Callable
 from typing import Any
 
-import numpy as np
 import rosgraph
 import roslib.message
 import rospy
-from geometry_msgs.msg import Pose, Quaternion, Twist
 
 from trident_fleet.core.encoding import NS_PER_S
 from trident_fleet.core.errors import FormationError
-from trident_fleet.core.follow.leader import Decoder, Measurement, rotate, yaw_of
-from trident_fleet.core.quintic import Array
+from trident_fleet.core.follow.leader import Decoder
+from trident_fleet.nodes.pose_readers import READERS
 from trident_fleet.nodes.world_link import SIMULATOR
 from trident_ros import Refusals, stamp_problem
 
 FLEET_STATE = SIMULATOR + "/fleet_state"
-
-Reader = Callable[[Any, str], Measurement | None]
-"""Takes a message and the leader's name; None if the message does not contain it."""
 
 MessageCallback = Callable[[int, Decoder], None]
 """Takes a message's stamp [ns], and a function that returns what it reports of the leader."""
@@ -65,15 +60,15 @@ class LeaderTopic:
             type_name = _type_of(self.name)
             if type_name is None:
                 return False
-            if type_name not in _READERS:
+            if type_name not in READERS:
                 raise FormationError(
-                    f"leader_topic: {self.name} is a {type_name}; legal: {', '.join(_READERS)}"
+                    f"leader_topic: {self.name} is a {type_name}; legal: {', '.join(READERS)}"
                 )
             self._subscriber = self._subscribed(type_name, callback)
         return True
 
     def _subscribed(self, type_name: str, callback: MessageCallback) -> rospy.Subscriber:
-        message_class, reader = roslib.message.get_message_class(type_name), _READERS[type_name]
+        message_class, reader = roslib.message.get_message_class(type_name), READERS[type_name]
 
         def on_message(message: Any) -> None:
             if not self._is_refused(message.header.stamp):
@@ -134,65 +129,3 @@ def _type_of(topic: str) -> str | None:
         if name == topic and type_name != "*":
             return str(type_name)
     return None
-
-
-def _read_fleet(state: Any, leader: str) -> Measurement | None:
-    if leader not in state.name or not len(state.name) == len(state.pose) == len(state.twist):
-        return None
-    index = state.name.index(leader)
-    pose, twist = state.pose[index], state.twist[index]
-    return _measured(state.header, pose, _vector(twist.linear), twist.angular.z)
-
-
-def _read_odometry(message: Any, _leader: str) -> Measurement:
-    pose, twist = message.pose.pose, message.twist.twist
-    return _measured(message.header, pose, *_in_world(pose.orientation, twist))
-
-
-def _in_world(orientation: Quaternion, twist: Twist) -> tuple[Array, float]:
-    """An odometry's twist is in its child frame."""
-    quaternion = _quaternion(orientation)
-    turn = rotate(quaternion, _vector(twist.angular))
-    return rotate(quaternion, _vector(twist.linear)), float(turn[2])
-
-
-def _read_pose(message: Any, _leader: str) -> Measurement:
-    return _measured(message.header, message.pose)
-
-
-def _read_pose_with_covariance(message: Any, _leader: str) -> Measurement:
-    return _measured(message.header, message.pose.pose)
-
-
-def _read_transform(message: Any, _leader: str) -> Measurement:
-    transform = message.transform
-    return _measured(message.header, Pose(transform.translation, transform.rotation))
-
-
-_READERS: dict[str, Reader] = {
-    "trident_msgs/FleetState": _read_fleet,
-    "nav_msgs/Odometry": _read_odometry,
-    "geometry_msgs/PoseStamped": _read_pose,
-    "geometry_msgs/PoseWithCovarianceStamped": _read_pose_with_covariance,
-    "geometry_msgs/TransformStamped": _read_transform,
-}
-
-
-def _measured(
-    header: Any, pose: Pose, velocity: Array | None = None, yaw_rate: float | None = None
-) -> Measurement:
-    return Measurement(
-        stamp_ns=header.stamp.to_nsec(),
-        position=_vector(pose.position),
-        yaw_rad=yaw_of(_quaternion(pose.orientation)),
-        velocity=velocity,
-        yaw_rate=yaw_rate,
-    )
-
-
-def _vector(message: Any) -> Array:
-    return np.array([message.x, message.y, message.z])
-
-
-def _quaternion(message: Quaternion) -> tuple[float, float, float, float]:
-    return message.x, message.y, message.z, message.w

@@ -63,7 +63,9 @@ class RadioPlugin : public Plugin {
     if (radio == nullptr) return;
     if (received_->wanted()) publish_received(*radio);
     if (!clock_.is_due(info) || !status_->wanted()) return;
-    reporter_.report(radio->links(name()), find_relay(world_).get(), info.end, &status_->value);
+    const auto relay = find_relay(world_);
+    reporter_.report(radio->links(name()), relay.get(), info.end, &status_->value);
+    report_heard(relay.get());
     status_->publish();
   }
 
@@ -108,6 +110,14 @@ class RadioPlugin : public Plugin {
       radio.send(name(), to, encode_packet(packet), {packet.priority, packet.deadline_s});
     } catch (const Error& error) {
       report(error.what());
+    }
+  }
+
+  void report_heard(const RelayReport* relay) {
+    status_->value.heard.clear();
+    if (relay == nullptr) return;
+    for (const auto& [topic, messages] : relay->heard(name())) {
+      status_->value.heard.push_back({topic, messages});
     }
   }
 

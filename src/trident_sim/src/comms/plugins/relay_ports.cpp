@@ -261,4 +261,13 @@ bool RelayPorts::is_thinned(const std::string& topic, SimTime at) const {
   });
 }
 
+std::map<std::string, std::uint64_t> RelayPorts::heard(const std::string& robot) const {
+  std::map<std::string, std::uint64_t> result;
+  for (const auto& [key, counts] : relay_.counts()) {
+    if (key.destination != robot || counts.delivered == 0) continue;
+    result[join({"from", key.source, relay_.rules()[key.rule].topic}, "/")] += counts.delivered;
+  }
+  return result;
+}
+
 }  // namespace trident::sim

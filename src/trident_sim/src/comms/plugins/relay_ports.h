@@ -39,6 +39,7 @@ class RelayPorts : public RelayReport, public RelayServices {
   std::vector<RelayFlow> flows() const override;
   std::vector<CallFlow> calls() const override;
   bool is_thinned(const std::string& topic, SimTime at) const override;
+  std::map<std::string, std::uint64_t> heard(const std::string& robot) const override;
   std::vector<std::string> route(const std::string& source,
                                  const std::string& destination) const override {
     return relay_.network().route(source, destination);
