@@ -14,7 +14,7 @@ import genpy
 import roslib.message
 import rospy
 
-from trident_fleet.nodes.world_link import SIMULATOR
+from trident_fleet.nodes.world_link import foreign_problem
 from trident_ros import Refusals, quoted
 
 _KEPT = 1000
@@ -31,14 +31,6 @@ class News:
 
     lock: threading.RLock
     take: Callable[[], None]
-
-
-def foreign_problem(message: Any) -> str:
-    """What is wrong with a message that is not the simulator's; "": it is."""
-    sender = message._connection_header["callerid"]
-    if sender == SIMULATOR:
-        return ""
-    return f"it is from {quoted(sender)}, legal: from {SIMULATOR}, which waits for this node"
 
 
 class CountedTopic:

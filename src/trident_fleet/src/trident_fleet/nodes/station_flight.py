@@ -39,6 +39,12 @@ def station_flight(settings: StationSettings, out_dir: Path | None) -> FlightMak
     return make
 
 
+def _is_connected(subscriber: rospy.Subscriber) -> bool:
+    """Whether there is a publisher; a flight that ends closes its inputs in another thread."""
+    impl = subscriber.impl
+    return impl is not None and impl.get_num_connections() > 0
+
+
 class StationFlight:
     """Commands the periods after a status by what was known at that status.
 
@@ -109,11 +115,12 @@ class StationFlight:
                 rospy.logwarn("own_pose: nobody publishes %s yet", self._inputs.own.name)
         self._wait_for_radios(limit)
         for subscriber in [self._inputs.status, *self._inputs.poses]:
-            while not subscriber.get_num_connections() and time.monotonic() < limit:
+            while not _is_connected(subscriber):
                 if self._over.wait(_POLL_S):
                     return
-            if not subscriber.get_num_connections():
-                self._do_without(subscriber)
+                if time.monotonic() >= limit:
+                    self._do_without(subscriber)
+                    break
         for name in self._inputs.uncounted if link.is_lockstep else []:
             link.not_repeatable(f"{name} counts as it comes")
 

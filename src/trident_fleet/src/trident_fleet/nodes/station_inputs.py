@@ -18,9 +18,10 @@ from trident_fleet.core.follow.leader import LeaderTrack, Measurement
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.station.settings import StationSettings
 from trident_fleet.core.station.visits import Heard, Place
-from trident_fleet.nodes.counted_topic import CountedTopic, News, foreign_problem
+from trident_fleet.nodes.counted_topic import CountedTopic, News
 from trident_fleet.nodes.leader_topic import LeaderTopic
 from trident_fleet.nodes.pose_readers import READERS
+from trident_fleet.nodes.world_link import foreign_problem
 from trident_msgs.msg import LinkStatusArray
 from trident_ros import Refusals, numbers_problem, stamp_problem
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import rospy
@@ -20,7 +21,7 @@ from trident_fleet.core.quintic import Array
 from trident_fleet.core.settings import FleetSettings, Vehicle
 from trident_msgs.msg import FleetState
 from trident_msgs.srv import EnrollSource
-from trident_ros import Refusals, is_offered, point_problem, stamp_problem
+from trident_ros import Refusals, is_offered, point_problem, quoted, stamp_problem
 
 SIMULATOR = "/gazebo"
 _ENROLL = SIMULATOR + "/enroll_source"
@@ -36,6 +37,14 @@ _UNEQUAL = "names, poses and twists are not equally many"
 
 StateCallback = Callable[[int, Array], None]
 ClockCallback = Callable[[int], None]
+
+
+def foreign_problem(message: Any) -> str:
+    """What is wrong with a message that is not the simulator's; "": it is."""
+    sender = message._connection_header["callerid"]
+    if sender == SIMULATOR:
+        return ""
+    return f"it is from {quoted(sender)}, legal: from {SIMULATOR}, which waits for this node"
 
 
 @dataclass(frozen=True)
@@ -219,7 +228,9 @@ class SimulatorClient:
         """Call back with simulated time [ns], the newest there is."""
 
         def on_message(message: Clock) -> None:
-            problem = self._time_problem(message.clock)
+            # Who answers the simulator's messages would end its flight by a stranger's reset.
+            problem = foreign_problem(message) if self.is_lockstep else ""
+            problem = problem or self._time_problem(message.clock)
             if problem:
                 self.refuse("/clock", problem)
                 return
