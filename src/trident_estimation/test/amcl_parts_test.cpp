@@ -69,6 +69,43 @@ TEST(DistanceField, AgreementFallsWhereWallsStandBetween) {
   EXPECT_LT(maps::scan_agreement(field, points, SE2::from_xy_yaw(9.0, 4.0, 0.5)), 0.5);
 }
 
+TEST(KnownSpace, IsWhatIsFreeOrOccupiedInTheMap) {
+  OccupancyGrid grid = test_flat();
+  fill(grid, 2.0, 2.0, 3.0, 3.0, OccupancyGrid::kUnknown);
+  const maps::KnownSpace known(grid);
+  EXPECT_TRUE(known.contains(6.0F, 4.0F));
+  EXPECT_TRUE(known.contains(7.05F, 1.0F)) << "a wall";
+  EXPECT_FALSE(known.contains(2.5F, 2.5F));
+  EXPECT_TRUE(known.contains(1.99F, 2.5F));
+  EXPECT_FALSE(known.contains(-0.01F, 4.0F));
+  EXPECT_FALSE(known.contains(6.0F, 8.01F));
+}
+
+TEST(DistanceField, BeamsThatEndInUnknownSpaceSayNothingUnlessMostDo) {
+  const OccupancyGrid world = test_flat();
+  const SE2 T_grid_base = SE2::from_xy_yaw(3.0, 3.0, 0.5);
+  LaserModelParams params;
+  params.laser_max_beams = 180;
+  const maps::ScanPoints points =
+      select_beams(test_scan(world, world.T_map_origin * T_grid_base, 0), params).points;
+  // Strips of the map that are not known; agreement of all beams, and of those that are judged.
+  const auto agreements = [&](double from_m, double to_m) {
+    OccupancyGrid map = world;
+    fill(map, from_m, 0.0, to_m, 8.0, OccupancyGrid::kUnknown);
+    const maps::DistanceField field(map, 2.0);
+    return std::make_pair(maps::scan_agreement(field, points, T_grid_base),
+                          maps::scan_agreement(field, maps::KnownSpace(map), points, T_grid_base));
+  };
+  EXPECT_LT(agreements(0.0, 1.5).first, 0.8);
+  EXPECT_GT(agreements(0.0, 1.5).second, 0.98);
+  EXPECT_EQ(agreements(0.0, 12.0).second, 0.0) << "a map of nothing explains nothing";
+  const SE2 elsewhere = SE2::from_xy_yaw(9.0, 4.0, 0.5);
+  const maps::DistanceField field(world, 2.0);
+  EXPECT_EQ(maps::scan_agreement(field, maps::KnownSpace(world), points, elsewhere),
+            maps::scan_agreement(field, points, elsewhere))
+      << "where all is known";
+}
+
 TEST(Kld, IsTheChiSquareBoundOfFox) {
   // n = chi2(k - 1, 0.99) / (2 err): 135.807 for 100 degrees of freedom, 23.209 for 10.
   EXPECT_NEAR(static_cast<double>(kld_sample_size(101, 0.05, 2.326348)), 1358.07, 2.0);

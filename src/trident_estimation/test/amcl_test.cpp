@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "room.h"
@@ -32,9 +33,8 @@ AmclParams params_of(LaserModel laser = LaserModel::kLikelihoodField,
 /// A robot that drives to and fro in the flat, its odometry 2 % short.
 class Drive {
  public:
-  explicit Drive(const AmclParams& params,
-                 const SE2& T_grid_start = SE2::from_xy_yaw(2.5, 2.2, 0.0))
-      : T_grid_base_(T_grid_start), amcl_(params, grid_) {}
+  explicit Drive(const AmclParams& params, const OccupancyGrid& map = test_flat())
+      : T_grid_base_(SE2::from_xy_yaw(2.5, 2.2, 0.0)), amcl_(params, map) {}
 
   SE2 truth() const { return grid_.T_map_origin * T_grid_base_; }
   /// Continues along a curve in the free middle of the left room.
@@ -44,6 +44,8 @@ class Drive {
     T_odom_base_ = T_odom_base_ * SE2::exp(0.98 * motion.log());
     return amcl_.update(test_scan(grid_, truth(), ++number_), T_odom_base_);
   }
+  /// Odometry begins here, by a scan without motion.
+  AmclStep stand() { return amcl_.update(test_scan(grid_, truth(), ++number_), T_odom_base_); }
   void kidnap(const SE2& T_grid_base) { T_grid_base_ = T_grid_base; }
   double error_m() const { return (amcl_.estimate().T_map_base.p - truth().p).norm(); }
   double error_rad() const {
@@ -69,6 +71,7 @@ TEST_P(EveryModel, ConvergesToThePlaceAndNeedsFewerParticles) {
   if (std::get<0>(GetParam()) == LaserModel::kBeam) params.max_particles = 500;
   Drive drive(params);
   drive.amcl().set_pose(near(drive.truth()), kUnsure);
+  drive.stand();
   for (int i = 0; i < 12; ++i) EXPECT_TRUE(drive.step().is_updated);
   EXPECT_LT(drive.error_m(), 0.08);
   EXPECT_LT(drive.error_rad(), 0.04);
@@ -120,6 +123,39 @@ TEST(Amcl, AKidnappedRobotIsFoundAgain) {
   for (int i = 0; i < 3; ++i) drive.step();
   EXPECT_LT(drive.error_m(), 0.15);
   EXPECT_LT(drive.error_rad(), 0.1);
+}
+
+TEST(Amcl, ARobotThatSeesWhatTheMapDoesNotKnowIsNotLookedFor) {
+  OccupancyGrid map = test_flat();
+  fill(map, 0.0, 0.0, 1.2, 8.0, OccupancyGrid::kUnknown);
+  fill(map, 4.4, 0.0, 7.0, 2.1, OccupancyGrid::kUnknown);
+  Drive drive(params_of(), map);
+  drive.amcl().set_pose(drive.truth(), 0.01 * kUnsure);
+  drive.stand();
+  for (int i = 0; i < 30; ++i) {
+    EXPECT_FALSE(drive.step().is_searched) << i;
+    EXPECT_LT(drive.error_m(), 0.15) << i;
+  }
+}
+
+TEST(Amcl, ScansThatNearlyFitAreBorneLongerThanThoseThatDoNot) {
+  const auto updates_before_search = [](double part) {
+    Drive drive(params_of());
+    drive.amcl().set_pose(drive.truth(), 1e-6 * kUnsure);
+    LaserScan scan = test_scan(drive.grid(), drive.truth(), 1);
+    const auto strangers = static_cast<std::ptrdiff_t>(part * static_cast<double>(scan.size()));
+    std::fill_n(scan.ranges.begin(), strangers, 0.4F);
+    for (int i = 1; i < 100; ++i) {
+      drive.amcl().force_update();
+      if (drive.amcl().update(scan, drive.T_odom_base()).is_searched) return i;
+    }
+    return 100;
+  };
+  EXPECT_EQ(updates_before_search(0.2), 100) << "the scan agrees";
+  const int nearly = updates_before_search(0.4);
+  EXPECT_GE(nearly, 5);
+  EXPECT_LT(nearly, 20);
+  EXPECT_EQ(updates_before_search(1.0), 2);
 }
 
 TEST(Amcl, SearchesInVainBecomeRare) {

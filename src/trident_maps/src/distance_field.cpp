@@ -132,23 +132,65 @@ double DistanceField::ray(const Eigen::Vector2d& p_grid, double angle, double ma
   return max_range;
 }
 
+KnownSpace::KnownSpace(const OccupancyGrid& grid)
+    : width_(grid.width),
+      height_(grid.height),
+      cells_per_m_(static_cast<float>(1.0 / grid.resolution)) {
+  is_known_.reserve(grid.cells.size());
+  for (const std::int8_t cell : grid.cells) is_known_.push_back(cell != OccupancyGrid::kUnknown);
+}
+
+bool KnownSpace::contains(float x, float y) const {
+  const float column = std::floor(x * cells_per_m_), row = std::floor(y * cells_per_m_);
+  const bool is_inside = column >= 0.0F && row >= 0.0F && column < static_cast<float>(width_) &&
+                         row < static_cast<float>(height_);
+  return is_inside && is_known_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+                                static_cast<std::size_t>(column)];
+}
+
+namespace {
+
+/// How many beams of a scan the map explains, and how many it cannot judge.
+struct BeamCounts {
+  std::size_t explained = 0, unjudged = 0;
+};
+
 /// A return agrees with the map when an obstacle is near its end and nothing stands before it: the
 /// end alone would also agree through a wall.
-double scan_agreement(const DistanceField& field, const ScanPoints& points,
-                      const SE2& T_grid_base) {
-  if (points.p_base.empty()) return 0.0;
+BeamCounts count_beams(const DistanceField& field, const KnownSpace* known,
+                       const ScanPoints& points, const SE2& T_grid_base) {
+  BeamCounts counts;
   const Eigen::Vector2d p_grid_laser = T_grid_base * points.p_base_laser;
-  int explained = 0;
   for (const Eigen::Vector2f& p_base : points.p_base) {
     const Eigen::Vector2d p_grid = T_grid_base * p_base.cast<double>();
-    const float near = field.at(static_cast<float>(p_grid.x()), static_cast<float>(p_grid.y()));
-    if (static_cast<double>(near) > kAgreeWithin) continue;
+    const auto x = static_cast<float>(p_grid.x()), y = static_cast<float>(p_grid.y());
+    const bool is_near = static_cast<double>(field.at(x, y)) <= kAgreeWithin;
+    if (!is_near && (known == nullptr || known->contains(x, y))) continue;
     const Eigen::Vector2d beam = p_grid - p_grid_laser;
     const double free_range = beam.norm() - kAgreeWithin;
     const double hit_range = field.ray(p_grid_laser, std::atan2(beam.y(), beam.x()), free_range);
-    explained += hit_range >= free_range ? 1 : 0;
+    if (hit_range < free_range) continue;
+    ++(is_near ? counts.explained : counts.unjudged);
   }
-  return static_cast<double>(explained) / static_cast<double>(points.p_base.size());
+  return counts;
+}
+
+}  // namespace
+
+double scan_agreement(const DistanceField& field, const ScanPoints& points,
+                      const SE2& T_grid_base) {
+  if (points.p_base.empty()) return 0.0;
+  const BeamCounts counts = count_beams(field, nullptr, points, T_grid_base);
+  return static_cast<double>(counts.explained) / static_cast<double>(points.p_base.size());
+}
+
+double scan_agreement(const DistanceField& field, const KnownSpace& known, const ScanPoints& points,
+                      const SE2& T_grid_base) {
+  if (points.p_base.empty()) return 0.0;
+  const BeamCounts counts = count_beams(field, &known, points, T_grid_base);
+  const std::size_t all = points.p_base.size();
+  const std::size_t judged = std::max(all - counts.unjudged, (all + 1) / 2);
+  return static_cast<double>(counts.explained) / static_cast<double>(judged);
 }
 
 }  // namespace trident::maps

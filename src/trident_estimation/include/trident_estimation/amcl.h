@@ -27,7 +27,9 @@ struct PoseEstimate {
   double cluster_weight = 0.0;                           ///< share of the belief in that cluster
   std::size_t clusters = 0;                              ///< groups of particles that hang together
   std::size_t particles = 0;                             ///< in all of them
-  double agreement = 0.0;  ///< share of the last scan's beams that the map explains from there
+  /// Share of the last scan's beams that the map explains from there, among those that it can
+  /// judge, see maps::scan_agreement().
+  double agreement = 0.0;
 };
 
 /// What a scan led to.
@@ -101,9 +103,9 @@ class Amcl {
   };
   /// The search for a robot that is lost.
   struct Recovery {
-    int patience;              ///< disagreements that lead to a search; doubled by one in vain
-    int disagreements = 0;     ///< updates in a row
-    bool is_anywhere = false;  ///< look for the next scan in the whole map
+    int patience;               ///< disagreement that leads to a search; doubled by one in vain
+    double disagreement = 0.0;  ///< of updates in a row, each 0 ... 1
+    bool is_anywhere = false;   ///< look for the next scan in the whole map
   };
   /// Of augmented MCL (Thrun, Burgard and Fox, "Probabilistic Robotics", section 8.3.5).
   struct MeanWeights {
@@ -123,9 +125,11 @@ class Amcl {
   void recover(const ScanBeams& beams, AmclStep& step);
   void inject(const std::vector<maps::PoseHypothesis>& hypotheses, const ScanBeams& beams);
   void update_estimate();
+  double agreement(const ScanBeams& beams) const;
 
   AmclParams params_;
   FreeSpace free_space_;
+  maps::KnownSpace known_;
   LaserModel2d laser_;
   MotionModel motion_;
   std::unique_ptr<maps::GridMatcher> matcher_;  ///< only if it is wanted

@@ -117,7 +117,7 @@ struct AmclParams {
   /// Look for a lost robot in the whole map, see Amcl.
   bool recover_by_matching = true;
   double recovery_agreement = 0.7;  ///< in [0, 1]
-  int recovery_patience = 2;        ///< updates in a row below that, before it is looked for
+  int recovery_patience = 2;        ///< updates in a row that must disagree, see Amcl
   double max_odom_jump = 3.0;       ///< [m]
   std::uint64_t seed = 0;           ///< of all random numbers
   LaserModelParams laser;           ///< the parameters laser_*
@@ -142,10 +142,13 @@ struct AmclParams {
              "only where fewer than half of the particles count");
     ar.field("recover_by_matching", recover_by_matching,
              "look for a lost robot in the whole map, by branch and bound over one scan");
-    ar.field("recovery_agreement", recovery_agreement, Range{0.0, 1.0},
-             "share of beams that agree with the map below which the robot may be lost");
+    ar.field(
+        "recovery_agreement", recovery_agreement, Range{0.0, 1.0},
+        "share of beams that agree with the map, of those that do not end where it is unknown, "
+        "below which the robot may be lost");
     ar.field("recovery_patience", recovery_patience, Range{1.0, 1e6},
-             "updates in a row below that, before it is looked for");
+             "updates in a row at half of that or below, before it is looked for; more of them "
+             "where they nearly agree");
     ar.field("max_odom_jump", max_odom_jump, Range::positive().or_infinite(),
              "distance from one scan to the next beyond which odometry was reset [m]");
     ar.field("seed", seed, "of all random numbers");

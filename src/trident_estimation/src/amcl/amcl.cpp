@@ -100,6 +100,7 @@ void AmclParams::validate() const {
 Amcl::Amcl(const AmclParams& params, const OccupancyGrid& map)
     : params_(params),
       free_space_{map.T_map_origin, free_cells_of(map), map.width, map.resolution},
+      known_(map),
       laser_(map, params.laser),
       motion_(params.motion, params.seed),
       matcher_(params.recover_by_matching ? std::make_unique<maps::GridMatcher>(map) : nullptr),
@@ -140,7 +141,7 @@ void Amcl::set_pose(const SE2& T_map_base, const Eigen::Matrix3d& covariance) {
   particles_.set_equal_weights();
   T_odom_.used.reset();
   recovery_.is_anywhere = false;
-  recovery_.disagreements = 0;
+  recovery_.disagreement = 0.0;
   recovery_.patience = params_.recovery_patience;
   mean_weights_.slow = mean_weights_.fast = 0.0;
   update_estimate();
@@ -315,19 +316,25 @@ void Amcl::resample() {
   if (share > 0.0) mean_weights_.slow = mean_weights_.fast = 0.0;
 }
 
-/// Counts the updates in a row whose estimate does not explain the scan.
+/// Sums up by how much the estimate explains too little of the scans, over updates in a row (a
+/// cumulative sum: Page, "Continuous inspection schemes", 1954): a scan that nearly fits says less
+/// than one that does not fit at all, which counts as one.
 bool Amcl::is_search_due() {
   const bool is_explained = estimate_.agreement >= params_.recovery_agreement;
-  recovery_.disagreements = is_explained ? 0 : recovery_.disagreements + 1;
-  if (is_explained) recovery_.patience = params_.recovery_patience;
-  return recovery_.is_anywhere || recovery_.disagreements >= recovery_.patience;
+  if (is_explained) {
+    recovery_.disagreement = 0.0;
+    recovery_.patience = params_.recovery_patience;
+  } else {
+    const double lacking = 1.0 - estimate_.agreement / params_.recovery_agreement;
+    recovery_.disagreement += std::min(2.0 * lacking, 1.0);
+  }
+  return recovery_.is_anywhere || recovery_.disagreement >= recovery_.patience;
 }
 
 /// Looks for the scan in the whole map where the estimate does not explain it; less and less often
 /// where no place explains it better, as among crowds or on an old map.
 void Amcl::recover(const ScanBeams& beams, AmclStep& step) {
-  const SE2 T_grid_base = free_space_.T_map_origin.inverse() * estimate_.T_map_base;
-  estimate_.agreement = maps::scan_agreement(laser_.field(), beams.points, T_grid_base);
+  estimate_.agreement = agreement(beams);
   if (!matcher_ || !is_search_due()) return;
   step.is_searched = true;
   std::vector<maps::PoseHypothesis> hypotheses = matcher_->match(thinned(beams.points));
@@ -336,7 +343,7 @@ void Amcl::recover(const ScanBeams& beams, AmclStep& step) {
                                   [least](const auto& h) { return h.agreement < least; }),
                    hypotheses.end());
   recovery_.is_anywhere = false;
-  recovery_.disagreements = 0;
+  recovery_.disagreement = 0.0;
   step.hypotheses = hypotheses.size();
   if (hypotheses.empty()) {
     recovery_.patience = std::min(2 * recovery_.patience, kMaxPatience * params_.recovery_patience);
@@ -377,8 +384,13 @@ void Amcl::inject(const std::vector<maps::PoseHypothesis>& hypotheses, const Sca
   mean_weights_.slow = mean_weights_.fast = laser_.weigh(beams, particles_);
   particles_.normalize();
   update_estimate();
+  estimate_.agreement = agreement(beams);
+}
+
+/// Unknown space is where maps end and behind furniture: a robot that is driven there is not lost.
+double Amcl::agreement(const ScanBeams& beams) const {
   const SE2 T_grid_base = free_space_.T_map_origin.inverse() * estimate_.T_map_base;
-  estimate_.agreement = maps::scan_agreement(laser_.field(), beams.points, T_grid_base);
+  return maps::scan_agreement(laser_.field(), known_, beams.points, T_grid_base);
 }
 
 void Amcl::update_estimate() {

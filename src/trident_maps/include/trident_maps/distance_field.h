@@ -54,8 +54,29 @@ struct ScanPoints {
   std::vector<Eigen::Vector2f> p_base;                     ///< ends of beams [m]
 };
 
+/// The cells of a map that were seen, in the grid frame of DistanceField.
+class KnownSpace {
+ public:
+  /// Copies what is needed of `grid`.
+  explicit KnownSpace(const OccupancyGrid& grid);
+
+  /// Whether a point lies in a cell that is free or occupied; false outside of the map.
+  bool contains(float x, float y) const;
+
+ private:
+  int width_, height_;
+  float cells_per_m_;
+  std::vector<bool> is_known_;  ///< in rows of `width_` cells
+};
+
 /// The fraction of the beams, 0 ... 1, that the map explains from a pose: the beam is free to
 /// within 0.3 m of the beam's end, and something is within 0.3 m of that end.
 double scan_agreement(const DistanceField& field, const ScanPoints& points, const SE2& T_grid_base);
+
+/// The same among the beams that the map can judge: one that ends in unknown space, past nothing
+/// that it knows, speaks neither for nor against the pose. Half of the beams at least are taken to
+/// be judged, so that a pose that looks into the unknown alone explains nothing.
+double scan_agreement(const DistanceField& field, const KnownSpace& known, const ScanPoints& points,
+                      const SE2& T_grid_base);
 
 }  // namespace trident::maps
