@@ -13,7 +13,7 @@ from trident_eval.ros_paths import package_folder
 
 pytest.importorskip("trident_sim", reason="trident_sim is not built or sourced")
 
-from trident_benchmarks.nav import tours, turtlebot3
+from trident_benchmarks.nav import tour_rows, tours, turtlebot3
 from trident_benchmarks.nav.launch_files import launch_parameters, nested, node_parameters
 from trident_benchmarks.nav.trials import KnownMap, Trials
 
@@ -55,7 +55,7 @@ def test_a_burger_reaches_two_goals_among_the_pillars(tmp_path: Path) -> None:
     tours.true_map(_WORLD, (0.18,), (-2.0, -0.5)).save(tmp_path / "map.pgm")
     known = KnownMap(tmp_path / "map.yaml", (0.0, 0.0, 0.0), amcl=amcl)
     goals = ((-0.5, -0.5, 1.0), (-1.7, 0.5, 3.0))
-    tour = tours.Tour((-2.0, -0.5, 0.0), goals, (1.0, 1.0))
+    tour = tour_rows.Tour((-2.0, -0.5, 0.0), goals, (1.0, 1.0))
     task = tours.task_of(driver.robot, tours.Building(_WORLD, known), tour, 1, driver.limits)
     run = Trials(driver.robot, driver.parameters, 1).run([task], [1], lambda *_: None)[0][0]
     assert [one.end for one in run.goals] == ["reached", "reached"], run.goals

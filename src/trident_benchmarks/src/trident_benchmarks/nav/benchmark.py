@@ -40,6 +40,16 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--goals", type=positive, metavar="N", help="of a seed of office (20), turtlebot3 (10)"
     )
+    parser.add_argument(
+        "--first-seed", type=positive, default=1, metavar="N", help="of office, turtlebot3 (1)"
+    )
+    parser.add_argument(
+        "--first-goal",
+        type=positive,
+        default=1,
+        metavar="N",
+        help="of each seed of office, turtlebot3 (1); the robot begins where the goal before it is",
+    )
     parser.add_argument("--scene", action="append", default=[], help="of tight; default: all")
     parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
     parser.add_argument("--picture", type=Path, metavar="FILE.png", help="worlds and tracks")

@@ -13,7 +13,8 @@ from trident_eval.ros_paths import package_folder
 
 from trident_benchmarks.nav import trials
 from trident_benchmarks.nav.limits import RobotLimits
-from trident_benchmarks.nav.tours import Course, Driver, chosen_robots, drive_all, map_building
+from trident_benchmarks.nav.tour_rows import Driver
+from trident_benchmarks.nav.tours import Course, chosen_robots, drive_all, map_building
 from trident_benchmarks.nav.trials import Robot
 
 WORLD = "office"

@@ -13,6 +13,7 @@ import math
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,9 +21,10 @@ import numpy as np
 from trident_eval.core.errors import EvalError
 
 from trident_benchmarks.nav import trials
-from trident_benchmarks.nav.goals import Places, Pose, lower_bound_s
+from trident_benchmarks.nav.goals import Places, lower_bound_s
 from trident_benchmarks.nav.limits import RobotLimits
-from trident_benchmarks.nav.trials import GoalOutcome, KnownMap, Outcome, Robot, Task, Trials
+from trident_benchmarks.nav.tour_rows import Driver, Tour, report, row_of, table
+from trident_benchmarks.nav.trials import KnownMap, Outcome, Robot, Task, Trials
 from trident_benchmarks.results import say
 
 if TYPE_CHECKING:
@@ -54,23 +56,6 @@ class Course:
     apart_m: float
     goals: int
     quick_goals: int
-
-
-@dataclass(frozen=True)
-class Driver:
-    """A robot and how it is driven.
-
-    Attributes:
-        robot: which one.
-        heights: at which its body may touch something [m].
-        limits: what it is judged by.
-        parameters: files; later ones win.
-    """
-
-    robot: Robot
-    heights: tuple[float, ...]
-    limits: RobotLimits
-    parameters: tuple[Path, ...]
 
 
 @dataclass(frozen=True)
@@ -122,21 +107,6 @@ def true_map(
         return occupancy_map(World(world), MapConfig(heights=tuple(heights), start=home))
 
 
-@dataclass(frozen=True)
-class Tour:
-    """A start, goals and the shortest paths between them.
-
-    Attributes:
-        start: x, y [m], yaw [rad] in the world.
-        goals: the same, one after the other.
-        bounds_s: lower bounds of the time to each.
-    """
-
-    start: Pose
-    goals: tuple[Pose, ...]
-    bounds_s: tuple[float, ...]
-
-
 def make_tour(
     places: Places, limits: RobotLimits, home: tuple[float, float], seed: int, count: int
 ) -> Tour:
@@ -186,83 +156,6 @@ def task_of(robot: Robot, building: Building, tour: Tour, seed: int, limits: Rob
     )
 
 
-def is_reached(goal: GoalOutcome, limits: RobotLimits) -> bool:
-    """By move_base, and by the truth within the tolerances."""
-    return (
-        goal.end == "reached"
-        and goal.position_error_m <= limits.tolerance_m
-        and goal.heading_error_rad <= limits.tolerance_rad
-    )
-
-
-def _time_ratios(
-    limits: RobotLimits, tours: Sequence[Tour], runs: Sequence[Outcome]
-) -> list[float]:
-    """Times of the goals that were reached, over their lower bounds."""
-    goals = [goal for run in runs for goal in run.goals]
-    bounds = [bound for tour in tours for bound in tour.bounds_s]
-    return [
-        goal.time_s / bound
-        for goal, bound in zip(goals, bounds, strict=True)
-        if is_reached(goal, limits) and bound > 0.0
-    ]
-
-
-def _failures(limits: RobotLimits, runs: Sequence[Outcome]) -> list[str]:
-    return [
-        f"seed {run.seed}, goal {number}: {goal.end}: {goal.text}, off by"
-        f" {goal.position_error_m:.3f} m, {goal.heading_error_rad:.3f} rad"
-        for run in runs
-        for number, goal in enumerate(run.goals, 1)
-        if not is_reached(goal, limits)
-    ]
-
-
-def row_of(
-    suite: str, driver: Driver, tours: Sequence[Tour], runs: Sequence[Outcome]
-) -> dict[str, Any]:
-    """What came of all goals of a robot."""
-    limits = driver.limits
-    goals = [goal for run in runs for goal in run.goals]
-    ratios = _time_ratios(limits, tours, runs)
-    driven_s = sum(goal.time_s for goal in goals)
-    return {
-        "suite": suite,
-        "robot": driver.robot.name,
-        "goals": len(goals),
-        "reached": sum(is_reached(goal, limits) for goal in goals),
-        "contacts": sum(bool(goal.touched) for goal in goals),
-        "touched": sorted({goal.touched for goal in goals if goal.touched}),
-        "recoveries": sum(goal.recoveries for goal in goals),
-        "time_over_bound": float(np.median(ratios)) if ratios else None,
-        "position_error_m": float(np.median([goal.position_error_m for goal in goals])),
-        "heading_error_rad": float(np.median([goal.heading_error_rad for goal in goals])),
-        "said_reached": sum(goal.end == "reached" for goal in goals),
-        "localization_error_m": max(run.localization_error_m for run in runs),
-        "cpu_s_per_s": sum(run.cpu_s for run in runs) / driven_s if driven_s else None,
-        "failures": _failures(limits, runs),
-        "recovery_causes": [text for run in runs for text in run.recoveries],
-        "unit": "time_over_bound: 1 (median); cpu_s_per_s: CPU s per simulated s",
-    }
-
-
-def table(rows: Sequence[dict[str, Any]]) -> str:
-    """Rows as Markdown; reached: also by the truth, within the tolerances."""
-    names = (rows[0]["suite"], "reached", "by move_base", "contacts", "recoveries")
-    lines = [
-        f"| {' | '.join(names)} | time over lower bound | CPU per s |",
-        "|---|---|---|---|---|---|---|",
-    ]
-    for row in rows:
-        ratio = "-" if row["time_over_bound"] is None else f"{row['time_over_bound']:.2f}"
-        lines.append(
-            f"| {row['robot']} | {row['reached']} of {row['goals']} | {row['said_reached']} |"
-            f" {row['contacts']} |"
-            f" {row['recoveries']} | {ratio} | {row['cpu_s_per_s']:.3f} s |"
-        )
-    return "\n".join(lines)
-
-
 def chosen_robots(
     names: Sequence[str], robots: Sequence[tuple[Robot, Any]]
 ) -> list[tuple[Robot, Any]]:
@@ -289,40 +182,25 @@ def drive_robot(
     Raises:
         EvalError: a run could not be made.
     """
-    seeds = range(1, 1 + (options.seeds or (_QUICK_SEEDS if options.quick else _SEEDS)))
+    many = options.seeds or (_QUICK_SEEDS if options.quick else _SEEDS)
+    seeds = range(options.first_seed, options.first_seed + many)
     count = options.goals or (course.quick_goals if options.quick else course.goals)
     limits = driver.limits
     grid = true_map(building.world, driver.heights, course.home)
     places = Places(grid, limits.inscribed_m, limits.circumscribed_m + _SPARE_M)
-    tours = [make_tour(places, limits, course.home, seed, count) for seed in seeds]
+    first = options.first_goal
+    all_goals = first - 1 + count
+    tours = [make_tour(places, limits, course.home, seed, all_goals).since(first) for seed in seeds]
     tasks = [
         task_of(driver.robot, building, tour, seed, limits)
         for tour, seed in zip(tours, seeds, strict=True)
     ]
     parameters = [*driver.parameters, *options.config]
-    outcomes = Trials(driver.robot, parameters, options.jobs).run(tasks, [1], _report)
+    outcomes = Trials(driver.robot, parameters, options.jobs).run(
+        tasks, [1], partial(report, limits)
+    )
     runs = [run for one in outcomes for run in one]
     return row_of(course.suite, driver, tours, runs), runs, grid
-
-
-def _report(task: Task, runs: list[Outcome]) -> None:
-    for run in runs:
-        reached = sum(goal.end == "reached" for goal in run.goals)
-        touched = [goal.touched for goal in run.goals if goal.touched]
-        say(
-            f"{task.name}: {reached} of {len(run.goals)} reached, contacts {len(touched)},"
-            f" recoveries {len(run.recoveries)}, localization off by up to"
-            f" {run.localization_error_m:.3f} m"
-        )
-        for goal in run.goals:
-            if goal.end != "reached" or goal.touched:
-                x, y, yaw = goal.goal
-                say(
-                    f"  ({x:.2f}, {y:.2f}, {yaw:.2f}): {goal.end}: {goal.text} {goal.touched},"
-                    f" {goal.time_s:.1f} s"
-                )
-        for text in run.recoveries:
-            say(f"  recovery {text}")
 
 
 def drive_all(

@@ -19,7 +19,8 @@ from trident_eval.ros_paths import package_folder
 from trident_benchmarks.nav import trials
 from trident_benchmarks.nav.launch_files import launch_parameters, node_parameters
 from trident_benchmarks.nav.limits import RobotLimits
-from trident_benchmarks.nav.tours import Course, Driver, chosen_robots, drive_all, map_building
+from trident_benchmarks.nav.tour_rows import Driver
+from trident_benchmarks.nav.tours import Course, chosen_robots, drive_all, map_building
 from trident_benchmarks.nav.trials import Robot
 
 COURSE = Course("turtlebot3", home=(-2.0, -0.5), apart_m=1.0, goals=10, quick_goals=5)
