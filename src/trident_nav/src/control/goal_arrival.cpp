@@ -7,8 +7,9 @@
 namespace trident::nav {
 namespace {
 
-// Of the tolerance of the position: within it a turn begins at once.
+// Of the tolerances: within that part of them a turn begins, or the drive ends, at once.
 constexpr double kInner = 0.5;
+constexpr double kSettled_s = 0.5;  // without progress
 // A distance that shrinks by less is no progress [m].
 constexpr double kProgress = 1e-3;
 constexpr double kTurned = 0.01;  // [rad]
@@ -26,51 +27,57 @@ bool GoalArrival::is_stopped(const Twist2& twist) const {
          std::fabs(twist.wz) <= tolerance_.rot_stopped_velocity;
 }
 
-bool GoalArrival::starts_turn(double distance_m, const Twist2& twist) const {
-  if (distance_m <= kInner * tolerance_.xy_goal_tolerance) return true;
-  if (distance_m > tolerance_.xy_goal_tolerance) return false;
-  const bool is_receding = distance_m > nearest_m_ + kProgress;
-  return is_receding || std::hypot(twist.vx, twist.vy) < kProgress;
-}
-
-bool GoalArrival::is_within_fallback(const RobotState& state, double distance_m, double yaw_error) {
-  if (distance_m < nearest_m_ - kProgress) {
-    nearest_m_ = distance_m;
-    least_yaw_error_ = yaw_error;
-    nearest_time_s_ = state.time_s;
+void GoalArrival::note_progress(double time_s, const GoalErrors& errors) {
+  if (errors.distance_m < least_.distance_m - kProgress) {
+    least_ = errors;
+    nearer_s_ = better_s_ = time_s;
   }
   // Next to the goal a robot that shuttles comes no nearer, but turns.
-  if (yaw_error < least_yaw_error_ - kTurned) {
-    least_yaw_error_ = yaw_error;
-    nearest_time_s_ = state.time_s;
+  if (errors.yaw_rad < least_.yaw_rad - kTurned) {
+    least_.yaw_rad = errors.yaw_rad;
+    better_s_ = time_s;
   }
-  return state.time_s - nearest_time_s_ >= tolerance_.fallback_time &&
-         distance_m <= tolerance_.fallback_factor * tolerance_.xy_goal_tolerance &&
-         yaw_error <= tolerance_.fallback_factor * tolerance_.yaw_goal_tolerance;
+}
+
+bool GoalArrival::is_within(const GoalErrors& errors, double part) const {
+  return errors.distance_m <= part * tolerance_.xy_goal_tolerance &&
+         errors.yaw_rad <= part * tolerance_.yaw_goal_tolerance;
+}
+
+bool GoalArrival::starts_turn(double time_s, double distance_m) const {
+  if (distance_m <= kInner * tolerance_.xy_goal_tolerance) return true;
+  return distance_m <= tolerance_.xy_goal_tolerance && time_s - nearer_s_ >= kSettled_s;
+}
+
+bool GoalArrival::has_settled(double time_s, const GoalErrors& errors) const {
+  return is_within(errors, kInner) ||
+         (is_within(errors, 1.0) && time_s - better_s_ >= kSettled_s);
 }
 
 ArrivalPhase GoalArrival::update(const RobotState& state, const Pose2& goal) {
-  const double distance_m = distance(state.pose.x, state.pose.y, goal.x, goal.y);
-  const double yaw_error = std::fabs(wrap_angle(goal.yaw - state.pose.yaw));
+  const GoalErrors errors{distance(state.pose.x, state.pose.y, goal.x, goal.y),
+                          std::fabs(wrap_angle(goal.yaw - state.pose.yaw))};
   const bool is_new = !has_goal_ || !is_same(goal, goal_, tolerance_);
   goal_ = goal;
   if (is_new) {
     has_goal_ = true;
     phase_ = ArrivalPhase::kApproach;
-    nearest_m_ = distance_m;
-    least_yaw_error_ = yaw_error;
-    nearest_time_s_ = state.time_s;
+    least_ = errors;
+    nearer_s_ = better_s_ = state.time_s;
   }
-  const bool is_fallback = is_within_fallback(state, distance_m, yaw_error);
-  const bool is_at_position = distance_m <= tolerance_.xy_goal_tolerance || is_fallback;
-  const bool is_at_heading = yaw_error <= tolerance_.yaw_goal_tolerance || is_fallback;
-  if (phase_ == ArrivalPhase::kApproach && can_turn_ && starts_turn(distance_m, state.twist)) {
+  note_progress(state.time_s, errors);
+  const bool is_fallback = state.time_s - better_s_ >= tolerance_.fallback_time &&
+                           is_within(errors, tolerance_.fallback_factor);
+  const bool is_at_position = errors.distance_m <= tolerance_.xy_goal_tolerance || is_fallback;
+  if (can_turn_ && phase_ == ArrivalPhase::kApproach &&
+      starts_turn(state.time_s, errors.distance_m)) {
     phase_ = ArrivalPhase::kTurn;
   }
   if (phase_ == ArrivalPhase::kTurn && !is_at_position) phase_ = ArrivalPhase::kApproach;
-  const bool has_arrived =
-      can_turn_ ? phase_ == ArrivalPhase::kTurn || is_fallback : is_at_position;
-  if (has_arrived && is_at_heading && is_stopped(state.twist)) return ArrivalPhase::kReached;
+  const bool has_turned =
+      phase_ == ArrivalPhase::kTurn && errors.yaw_rad <= tolerance_.yaw_goal_tolerance;
+  const bool has_arrived = can_turn_ ? has_turned : has_settled(state.time_s, errors);
+  if ((has_arrived || is_fallback) && is_stopped(state.twist)) return ArrivalPhase::kReached;
   return phase_;
 }
 

@@ -42,7 +42,9 @@ enum class ArrivalPhase {
 
 /// Judges position and heading together, with hysteresis: the turn begins well within the tolerance
 /// of the position, or where the robot gets no nearer within it, and ends as a new approach only
-/// once that tolerance is left.
+/// once that tolerance is left. What cannot turn on the spot is done well within both tolerances,
+/// or where neither error falls within them: tolerances are of the true errors, and what the robot
+/// knows of its pose is off by some centimeters.
 class GoalArrival {
  public:
   /// `can_turn`: the robot can turn on the spot.
@@ -55,18 +57,25 @@ class GoalArrival {
   const GoalTolerance& tolerance() const { return tolerance_; }
 
  private:
+  /// From the goal's pose.
+  struct GoalErrors {
+    double distance_m = 0.0, yaw_rad = 0.0;
+  };
+
   bool is_stopped(const Twist2& twist) const;
-  bool is_within_fallback(const RobotState& state, double distance_m, double yaw_error);
-  bool starts_turn(double distance_m, const Twist2& twist) const;
+  bool is_within(const GoalErrors& errors, double part) const;
+  bool starts_turn(double time_s, double distance_m) const;
+  bool has_settled(double time_s, const GoalErrors& errors) const;
+  void note_progress(double time_s, const GoalErrors& errors);
 
   GoalTolerance tolerance_;
   bool can_turn_;
   ArrivalPhase phase_ = ArrivalPhase::kApproach;
   Pose2 goal_;
   bool has_goal_ = false;
-  double nearest_m_ = 0.0;        ///< Least distance to the goal so far.
-  double least_yaw_error_ = 0.0;  ///< Since then [rad].
-  double nearest_time_s_ = 0.0;   ///< When that last fell.
+  GoalErrors least_;       ///< The least distance so far, and the least heading since then.
+  double nearer_s_ = 0.0;  ///< When the distance last fell.
+  double better_s_ = 0.0;  ///< When either last fell.
 };
 
 }  // namespace trident::nav
