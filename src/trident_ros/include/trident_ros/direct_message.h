@@ -27,7 +27,7 @@ class DirectMessage {
   /// header.seq. Valid until the next call.
   virtual Span<const std::uint8_t> frame(std::uint32_t sequence) = 0;
   /// The message without that length, serialized for the caller alone.
-  virtual std::string bytes(std::uint32_t sequence) {
+  virtual std::string unframed(std::uint32_t sequence) {
     const Span<const std::uint8_t> whole = frame(sequence);
     const auto* const begin = reinterpret_cast<const char*>(whole.data()) + sizeof(std::uint32_t);
     return std::string(begin, whole.size() - sizeof(std::uint32_t));
@@ -52,7 +52,7 @@ class ObjectMessage : public DirectMessage {
     }
     return frame_;
   }
-  std::string bytes(std::uint32_t sequence) override {
+  std::string unframed(std::uint32_t sequence) override {
     const std::uint32_t length = ros::serialization::serializationLength(*message_);
     std::string result(length, '\0');
     ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(result.data()), length);

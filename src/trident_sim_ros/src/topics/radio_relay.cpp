@@ -111,7 +111,7 @@ void RadioRelay::take(const std::string& name, Tap& tap, SimTime end) {
   }
   tap.topic->each_message([&](ros_utils::DirectMessage& message) {
     BytesSample sample;
-    sample.data = std::make_shared<const std::string>(message.bytes(sequences_[name]++));
+    sample.data = std::make_shared<const std::string>(message.unframed(sequences_[name]++));
     if (tap.has_header) sample.stamp = std::min(header_stamp(*sample.data), end);
     sample.is_latched = tap.topic->is_latched();
     tap.input->write(sample);
