@@ -50,8 +50,7 @@ bool GoalArrival::starts_turn(double time_s, double distance_m) const {
 }
 
 bool GoalArrival::has_settled(double time_s, const GoalErrors& errors) const {
-  return is_within(errors, kInner) ||
-         (is_within(errors, 1.0) && time_s - better_s_ >= kSettled_s);
+  return is_within(errors, kInner) || (is_within(errors, 1.0) && time_s - better_s_ >= kSettled_s);
 }
 
 ArrivalPhase GoalArrival::update(const RobotState& state, const Pose2& goal) {
