@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "trident_base/error.h"
+#include "trident_base/random_stream.h"
 
 namespace trident::bridges {
 namespace {
@@ -81,6 +82,26 @@ TEST(Url, AnErrorNamesUrlFieldAndLegalRange) {
   EXPECT_NE(message_of("tcp://[::1:5760").find("']' is missing"), std::string::npos);
   EXPECT_NE(message_of("tcp://[::1]5760").find("only :port"), std::string::npos);
   EXPECT_NE(message_of("tcp://a/b:1").find("is no host"), std::string::npos);
+}
+
+TEST(Url, AnythingIsParsedOrRefused) {
+  const std::string all = "udp://-b:@127.0.0.1:14550/?ids=1,2[::]/dev/tty serial-hwfc pty\x00\xff%";
+  const RandomStream random(1, "urls");
+  std::uint64_t draw = 0;
+  int parsed = 0, refused = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    std::string text = i % 2 == 0 ? "udp://" : "";
+    const auto length = random.bits(draw++, 0) % 20;
+    for (std::uint64_t k = 0; k < length; ++k) text += all[random.bits(draw++, 0) % all.size()];
+    try {
+      parse_endpoint_url(text);
+      ++parsed;
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(parsed, 100);
+  EXPECT_GT(refused, 100);
 }
 
 }  // namespace

@@ -56,6 +56,11 @@ bool NodePollLoop::follow_clock(ros::NodeHandle& node,
   return true;
 }
 
+void NodePollLoop::warn_of_unreadable(const std::string& topic, std::size_t bytes) {
+  ROS_WARN_THROTTLE(5.0, "%s: %zu bytes are not a message of its type; ignored", topic.c_str(),
+                    bytes);
+}
+
 void NodePollLoop::run() {
   while (ros::ok() && loop_.run_once(kLookAtRos_s)) {
   }

@@ -25,5 +25,5 @@ def test_next_to_another_process(ros: RosProcesses) -> None:
     partner = ros.start_node("/partner", [PYTHON, str(PARTNER)])
     code, output = ros.run([program("trident_bridges", "node_poll_loop_check")])
     assert code == 0, output
-    assert "PASSED  ] 5 tests" in output
+    assert "PASSED  ] 10 tests" in output
     assert partner.poll() is None

@@ -43,8 +43,9 @@ class NodePollLoop {
   ros::CallbackQueueInterface* callback_queue() { return &queue_; }
 
   /// Calls `handler` with each message until the result is destroyed. The object is the same for
-  /// all messages, so that strings and arrays keep their memory. Within a handler nothing may be
-  /// subscribed or unsubscribed. A topic can be subscribed to once in a process.
+  /// all messages, so that strings and arrays keep their memory; bytes that are no such message are
+  /// logged and ignored. Within a handler nothing may be subscribed or unsubscribed. A topic can be
+  /// subscribed to once in a process.
   template <class Message>
   std::unique_ptr<ros_utils::DirectSubscription> subscribe(
       ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
@@ -52,11 +53,16 @@ class NodePollLoop {
     auto message = std::make_shared<Message>();
     return inbox_.subscribe<Message>(
         node, topic, queue_size,
-        [message, handler = std::move(handler)](Span<const std::uint8_t> bytes) {
-          // The stream takes a pointer to what it may change, and reads only.
-          ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()),
-                                             static_cast<std::uint32_t>(bytes.size()));
-          ros::serialization::deserialize(stream, *message);
+        [message, topic, handler = std::move(handler)](Span<const std::uint8_t> bytes) {
+          try {
+            // The stream takes a pointer to what it may change, and reads only.
+            ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()),
+                                               static_cast<std::uint32_t>(bytes.size()));
+            ros::serialization::deserialize(stream, *message);
+          } catch (const ros::Exception&) {
+            warn_of_unreadable(topic, bytes.size());
+            return;
+          }
           handler(*message);
         });
   }
@@ -89,6 +95,8 @@ class NodePollLoop {
    private:
     EpollLoop& loop_;
   };
+
+  static void warn_of_unreadable(const std::string& topic, std::size_t bytes);
 
   EpollLoop loop_;
   Queue queue_;
