@@ -48,7 +48,9 @@ class LineEndpoint : public EndpointBase {
   std::vector<std::uint8_t> buffer_;  ///< of what is read
 };
 
-/// A serial device, which is opened again when it was unplugged.
+/// A serial device, which is opened again when it was unplugged. A pseudo-terminal that has
+/// vanished is held open until then: as long as it is, no program gets another one of its number,
+/// to which its name or a link that was left behind would lead.
 class SerialEndpoint : public LineEndpoint {
  public:
   /// Throws Error as open_endpoint() does.
@@ -66,6 +68,7 @@ class SerialEndpoint : public LineEndpoint {
   EndpointUrl url_;
   std::uint32_t baud_;
   Descriptor device_;
+  Descriptor vanished_;  ///< pseudo-terminal
   bool was_open_ = false;
   DelayedCall attempt_;
 };

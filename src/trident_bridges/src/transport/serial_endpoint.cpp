@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
+#include <linux/magic.h>
+#include <sys/file.h>
+#include <sys/vfs.h>
 
 #include <cerrno>
 #include <cstring>
@@ -12,6 +15,14 @@
 #include "trident_base/string_util.h"
 
 namespace trident::bridges {
+namespace {
+
+bool is_pseudo_terminal(int descriptor) {
+  struct statfs system = {};
+  return fstatfs(descriptor, &system) == 0 && system.f_type == DEVPTS_SUPER_MAGIC;
+}
+
+}  // namespace
 
 SerialEndpoint::SerialEndpoint(const EndpointOptions& options, const EndpointUrl& url,
                                PollLoop& loop, EndpointEvents events)
@@ -25,7 +36,7 @@ SerialEndpoint::SerialEndpoint(const EndpointOptions& options, const EndpointUrl
   if (!failure.empty() && (errno == ENOTTY || errno == EISDIR)) {
     throw Error("url '" + options_.url + "': device " + url.device + ": " + failure);
   }
-  device_.reset();
+  if (!failure.empty()) device_.reset();
   attempt_.start(0.0, [this] { open(); });
 }
 
@@ -37,7 +48,12 @@ std::string SerialEndpoint::open_device() {
   settings.parity = options_.parity;
   settings.stop_bits = options_.stop_bits;
   settings.has_hardware_flow = url_.kind == EndpointKind::kSerialHardwareFlow;
-  if (device_.is_open() && set_up_line(device_.get(), settings)) return "";
+  // Two readers of one line would each get a part of it. Other programs that lock do so like this.
+  if (device_.is_open() && flock(device_.get(), LOCK_EX | LOCK_NB) != 0) {
+    errno = EBUSY;
+  } else if (device_.is_open() && set_up_line(device_.get(), settings)) {
+    return "";
+  }
   const int code = errno;
   std::string text = std::strerror(code);
   errno = code;
@@ -45,7 +61,7 @@ std::string SerialEndpoint::open_device() {
 }
 
 void SerialEndpoint::open() {
-  const std::string failure = open_device();
+  const std::string failure = device_.is_open() ? "" : open_device();
   if (!failure.empty()) {
     device_.reset();
     report_warning("open",
@@ -55,11 +71,16 @@ void SerialEndpoint::open() {
   }
   if (was_open_) ++counts_.reconnects;
   was_open_ = true;
+  vanished_.reset();
   forget_warning("open");
   attach(device_.get(), url_.device);
 }
 
 void SerialEndpoint::line_ended() {
+  if (is_pseudo_terminal(device_.get())) {
+    flock(device_.get(), LOCK_UN);
+    vanished_ = std::move(device_);
+  }
   device_.reset();
   attempt_.start(options_.retry_s, [this] { open(); });
 }

@@ -145,6 +145,58 @@ TEST_F(Line, ASerialDeviceContinuesWhenItIsPluggedInAgain) {
   EXPECT_FALSE(serial.endpoint->send(1, bytes_of("nobody")));
 }
 
+// A pseudo-terminal whose far end a test has.
+struct FarEnd {
+  FarEnd() : master(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
+    EXPECT_EQ(unlockpt(master.get()), 0);
+    name = ptsname(master.get());
+  }
+  Descriptor master;
+  std::string name;
+};
+
+// Ends what a serial endpoint reads; returns terminals that other programs have opened since.
+std::vector<FarEnd> strangers_after(EpollLoop& loop, Recorded& serial,
+                                    std::unique_ptr<FarEnd> own) {
+  EXPECT_TRUE(run_until(loop, [&] { return serial.has_joined(); }));
+  const std::string name = own->name;
+  own.reset();
+  EXPECT_TRUE(run_until(loop, [&] { return serial.endpoint->peers().empty(); }));
+  std::vector<FarEnd> strangers(3);
+  for (const FarEnd& stranger : strangers) EXPECT_NE(stranger.name, name);
+  EXPECT_TRUE(run_until(loop, [&] { return !serial.warnings.empty(); }));
+  EXPECT_EQ(serial.endpoint->counts().reconnects, 0U);
+  return strangers;
+}
+
+TEST_F(Line, ATerminalThatHasVanishedIsNotReplacedByAStrangersOfItsNumber) {
+  auto own = std::make_unique<FarEnd>();
+  Recorded serial(loop_, options("serial://" + own->name));
+  strangers_after(loop_, serial, std::move(own));
+  EXPECT_NE(serial.warnings[0].find("No such file or directory"), std::string::npos);
+}
+
+TEST_F(Line, ALinkThatWasLeftBehindDoesNotLeadToAStrangersTerminal) {
+  auto own = std::make_unique<FarEnd>();
+  std::filesystem::create_symlink(own->name, path("tty"));
+  Recorded serial(loop_, options("serial://" + path("tty")));
+  const auto strangers = strangers_after(loop_, serial, std::move(own));
+  std::filesystem::remove(path("tty"));
+  std::filesystem::create_symlink(strangers[0].name, path("tty"));
+  EXPECT_TRUE(run_until(loop_, [&] { return serial.endpoint->counts().reconnects == 1; }));
+}
+
+TEST_F(Line, ADeviceHasOneReader) {
+  Recorded pty(loop_, options("pty://" + path("gps")));
+  auto first = std::make_unique<Recorded>(loop_, options(path("gps")));
+  ASSERT_TRUE(run_until(loop_, [&] { return first->has_joined(); }));
+  Recorded second(loop_, options(path("gps")));
+  ASSERT_TRUE(run_until(loop_, [&] { return !second.warnings.empty(); }));
+  EXPECT_NE(second.warnings[0].find("Device or resource busy"), std::string::npos);
+  first.reset();
+  EXPECT_TRUE(run_until(loop_, [&] { return second.has_joined(); }));
+}
+
 TEST_F(Line, ABlockDoesNotLeaveBeforeItsLastByteWould) {
   Recorded pty(loop_, options("pty://" + path("gps") + ":50"));
   const Descriptor reader = open_device("gps");
