@@ -31,6 +31,7 @@ OF_DEVICES = {
     "nmea_navsat_driver/nmea_serial_driver": "a serial line",
     "nmea_navsat_driver/nmea_socket_driver": "datagrams",
     "nmea_navsat_driver/nmea_topic_serial_reader": "a serial line",
+    "trident_bridges/nmea_log.py": "a server, whose bytes it writes as they are",
 }
 #: Programs that are no nodes although they may use a node's libraries.
 NO_NODES = {

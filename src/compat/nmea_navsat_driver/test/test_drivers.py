@@ -10,6 +10,8 @@ import pty
 import socket
 import tty
 from collections.abc import Iterator
+from contextlib import suppress
+from random import Random
 
 import pytest
 import rospy
@@ -110,6 +112,54 @@ def test_datagrams_are_read_on_the_loopback_interface(ros: Ros) -> None:
             eventually(has_come, "a fix of RMC")
         assert fixes.messages[0].latitude == pytest.approx(63.0 + 26.3 / 60.0)
     assert "where upstream binds all interfaces" in ros.programs[-1].log
+
+
+def hostile_bytes(seed: int) -> bytes:
+    """Noise, cut and changed sentences; the same for a seed."""
+    random = Random(seed)
+    blocks = []
+    for _ in range(200):
+        text = bytearray((RMC + GGA + HDT).encode())
+        for _ in range(random.randrange(1, 6)):
+            text[random.randrange(len(text))] = random.randrange(256)
+        blocks.append(bytes(text[random.randrange(40) :]))
+        blocks.append(random.randbytes(random.randrange(60)))
+    return b"".join(blocks)
+
+
+def test_hostile_bytes_on_a_line_leave_the_driver_at_work(ros: Ros, line: tuple[int, str]) -> None:
+    start(ros, "nmea_serial_driver", port=line[1], baud=4_000_000)
+    with recorder("/heading", QuaternionStamped) as headings:
+        feed(line[0], HDT, headings.messages)
+        noise = hostile_bytes(1)
+        for at in range(0, len(noise), 512):
+            os.write(line[0], noise[at : at + 512])
+        count = len(headings.messages)
+        feed(line[0], HDT, headings.messages, count + 1)
+    assert ros.programs[-1].running
+
+
+def test_hostile_datagrams_leave_the_driver_at_work(ros: Ros) -> None:
+    port = free_port()
+    start(ros, "nmea_socket_driver", port=port)
+    with (
+        recorder("/heading", QuaternionStamped) as headings,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client,
+    ):
+        client.connect(("127.0.0.1", port))
+
+        def is_heard() -> bool:
+            with suppress(ConnectionRefusedError):  # it is not up yet
+                client.send(HDT.encode())
+            return bool(headings.messages)
+
+        eventually(is_heard, "the driver")
+        noise = hostile_bytes(2)
+        for at in range(0, len(noise), 200):
+            client.send(noise[at : at + 200])
+        count = len(headings.messages)
+        eventually(lambda: is_heard() and len(headings.messages) > count, "the next good one")
+    assert ros.programs[-1].running
 
 
 def test_a_serial_line_becomes_a_topic(ros: Ros, line: tuple[int, str]) -> None:

@@ -61,9 +61,10 @@ void FieldWriter::longitude(const char* name, std::optional<double>& degrees) {
 void FieldWriter::angle(const char* name, const std::optional<double>& degrees, int degree_digits,
                         double limit, const char* letters) {
   out_.put(',');
+  long long units = 0;
   if (degrees && accepts(name, *degrees, {-limit, limit})) {
     // All in units of the last decimal of a minute, so that 59.999999 minutes become a degree.
-    const long long units = std::llround(std::abs(*degrees) * static_cast<double>(kDegreeScale));
+    units = std::llround(std::abs(*degrees) * static_cast<double>(kDegreeScale));
     const long long minute_units = units % kDegreeScale;
     out_.put_digits(units / kDegreeScale, degree_digits);
     out_.put_digits(minute_units / kMinuteScale, 2);
@@ -71,7 +72,7 @@ void FieldWriter::angle(const char* name, const std::optional<double>& degrees, 
     out_.put_digits(minute_units % kMinuteScale, kMinuteDecimals);
   }
   out_.put(',');
-  if (degrees) out_.put(std::signbit(*degrees) ? letters[1] : letters[0]);
+  if (degrees) out_.put(*degrees < 0.0 && units != 0 ? letters[1] : letters[0]);
 }
 
 void FieldWriter::real(const char* name, std::optional<double>& value, const Limits& limits,
@@ -95,7 +96,9 @@ void FieldWriter::sided(const char* name, std::optional<double>& value, const Li
   if (value) magnitude = std::abs(*value);
   real(name, magnitude, limits, format);
   out_.put(',');
-  if (value) out_.put(std::signbit(*value) ? letters[1] : letters[0]);
+  // What is written as zero lies on the first side.
+  const bool is_zero = value && *magnitude * std::pow(10.0, format.decimals) < 0.5;
+  if (value) out_.put(*value < 0.0 && !is_zero ? letters[1] : letters[0]);
 }
 
 void FieldWriter::letter(const char* name, char& value, const char* legal) {

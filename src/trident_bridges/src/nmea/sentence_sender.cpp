@@ -62,6 +62,7 @@ void SentenceSender::set_rates(SentenceTypes<Types...> /*types*/) {
 bool SentenceSender::is_due(std::size_t index, SimTime stamp) {
   Rate& rate = rates_[index];
   if (rate.hz <= 0.0) return false;
+  if (rate.hz >= TalkerParams::kUnlimitedHz) return true;
   // A stamp of 0.2 s belongs to slot 1 of 5 Hz, whatever 0.2 is as a double.
   constexpr double kSlack = 1e-6;
   const auto slot = static_cast<std::int64_t>(std::floor(stamp.seconds() * rate.hz + kSlack));

@@ -25,13 +25,13 @@ void UtcResolver::set(const CivilDate& date, const TimeOfDay& time) {
   newest_ns_ = days_from_civil(date) * kDayNs + day_ns(time);
 }
 
-std::optional<std::int64_t> UtcResolver::unix_ns(const TimeOfDay& time,
-                                                 const Receipt& receipt) const {
+std::optional<std::int64_t> UtcResolver::unix_ns(const TimeOfDay& time, const Receipt& receipt) {
   const std::optional<std::int64_t> about_ns = newest_ns_ ? newest_ns_ : receipt.unix_ns;
   if (!about_ns) return std::nullopt;
   std::int64_t result = floor_to_day(*about_ns) + day_ns(time);
   if (result - *about_ns > kDayNs / 2) result -= kDayNs;
   if (*about_ns - result > kDayNs / 2) result += kDayNs;
+  if (newest_ns_) newest_ns_ = result;
   return result;
 }
 

@@ -132,6 +132,14 @@ TEST(SentenceSender, RatesAreKeptOnAGridOfSimulatedTime) {
   EXPECT_EQ(count("ZDA"), 10);
 }
 
+TEST(SentenceSender, AnUnlimitedRateSendsAllThatComes) {
+  SentLog log;
+  SentenceSender sender(with_rates({{"ZDA", TalkerParams::kUnlimitedHz}}), log);
+  GnssTalker talker(sender, UtcClock());
+  for (int i = 0; i < 20; ++i) talker.on_epoch(fixed_epoch(1.0));
+  EXPECT_EQ(log.sent.size(), 20U);
+}
+
 TEST(SentenceSender, ATimeThatGoesBackIsSentAtOnce) {
   SentLog log;
   SentenceSender sender(with_rates({{"ZDA", 1.0}}), log);

@@ -18,7 +18,7 @@
 namespace trident::bridges {
 namespace {
 
-constexpr std::uint32_t kSentenceQueueSize = 100;
+constexpr std::uint32_t kSentenceQueueSize = 1000;
 
 /// What every driver has.
 struct Driver {
@@ -95,7 +95,7 @@ void publish_link(Driver& driver, const NavsatDriverParams& own, const EndpointO
   };
   hooks.events = &output;
   hooks.refusals = driver.refusals.get();
-  NmeaLink link(options, read_params(own), hooks, true, driver.loop.loop());
+  NmeaLink link(options, read_params(own), hooks, true, driver.loop, driver.node);
   driver.loop.run();
 }
 
@@ -165,7 +165,7 @@ int nmea_topic_serial_reader_main(int argc, char** argv) {
       publisher.publish(message);
     };
     hooks.refusals = driver.refusals.get();
-    NmeaLink link(serial_options(serial), read_params(own), hooks, true, driver.loop.loop());
+    NmeaLink link(serial_options(serial), read_params(own), hooks, true, driver.loop, driver.node);
     driver.loop.run();
   });
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "trident_bridges/transport/url.h"
+#include "trident_bridges_ros/radio_endpoint.h"
 
 namespace trident::bridges {
 namespace {
@@ -17,27 +18,41 @@ void add(const nmea::FramerCounts& part, nmea::FramerCounts* sum) {
   sum->sentences += part.sentences;
 }
 
+constexpr double kCloselyS = 50e-6;         ///< between sentences that are sent together
+constexpr std::size_t kMaxWaiting = 8'192;  ///< fits into a packet of a radio [bytes]
+
 bool has_datagrams(const std::string& url) {
+  if (is_radio_url(url)) return true;
   const EndpointKind kind = parse_endpoint_url(url).kind;
   return kind == EndpointKind::kUdp || kind == EndpointKind::kUdpBroadcast ||
          kind == EndpointKind::kUdpPermanentBroadcast;
 }
 
+// Whether a block has a cost of its own, and several sentences may be one.
+bool is_gathering(const std::string& url) {
+  if (is_radio_url(url)) return true;
+  const EndpointKind kind = parse_endpoint_url(url).kind;
+  return kind == EndpointKind::kTcpServer || kind == EndpointKind::kTcpClient;
+}
+
 }  // namespace
 
 NmeaLink::NmeaLink(const EndpointOptions& options, const NmeaReadParams& params,
-                   NmeaReadHooks hooks, bool listens, PollLoop& loop)
+                   NmeaReadHooks hooks, bool listens, NodePollLoop& loop, ros::NodeHandle& node)
     : params_(params),
       hooks_(std::move(hooks)),
+      loop_(loop.loop()),
       listens_(listens),
-      is_datagrams_(has_datagrams(options.url)) {
+      is_datagrams_(has_datagrams(options.url)),
+      is_gathering_(is_gathering(options.url)) {
+  waiting_.reserve(kMaxWaiting);
   EndpointEvents events;
   events.received = [this](PeerId id, Bytes bytes) { receive(id, bytes); };
   events.joined = [this](PeerId id, const std::string& address) { join(id, address); };
   events.left = [this](PeerId id, const std::string& reason) { leave(id, reason); };
   events.warning = [](const std::string& text) { ROS_WARN("%s", text.c_str()); };
   events.notice = [](const std::string& text) { ROS_INFO("%s", text.c_str()); };
-  endpoint_ = open_endpoint(options, loop, std::move(events));
+  endpoint_ = open_node_endpoint(options, loop, node, std::move(events));
 }
 
 void NmeaLink::join(PeerId id, const std::string& address) {
@@ -59,8 +74,29 @@ void NmeaLink::receive(PeerId id, Bytes bytes) {
 }
 
 void NmeaLink::send(std::string_view sentence) {
-  endpoint_->send_to_all(
-      Bytes(reinterpret_cast<const std::uint8_t*>(sentence.data()), sentence.size()));
+  if (!is_gathering_) {
+    send_now(sentence);
+    return;
+  }
+  const double now_s = loop_.now_s();
+  const bool is_close = now_s - sent_s_ < kCloselyS;
+  sent_s_ = now_s;
+  if (waiting_.empty() && !is_close) {
+    send_now(sentence);
+    return;
+  }
+  if (waiting_.size() + sentence.size() > kMaxWaiting) flush();
+  if (waiting_.empty()) loop_.post([this] { flush(); });
+  waiting_ += sentence;
+}
+
+void NmeaLink::flush() {
+  if (!waiting_.empty()) send_now(waiting_);
+  waiting_.clear();
+}
+
+void NmeaLink::send_now(std::string_view text) {
+  endpoint_->send_to_all(Bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
 nmea::FramerCounts NmeaLink::framed() const {

@@ -19,11 +19,10 @@ ros::NodeHandle output_handle(const ros::NodeHandle& node, const std::string& na
   return name_space.empty() ? node : ros::NodeHandle(node, name_space);
 }
 
-NavsatOutput make_output(const ros::NodeHandle& node, const NmeaNodeParams& params) {
+NavsatOutputParams output_params(const NmeaNodeParams& params) {
   NavsatOutputParams output;
   output.frame_id = params.frame_id;
-  ros::NodeHandle handle = output_handle(node, params.output);
-  return NavsatOutput(handle, output);
+  return output;
 }
 
 NodePublisher<nmea_msgs::Sentence> make_sentences(const ros::NodeHandle& node,
@@ -40,22 +39,26 @@ NmeaNode::NmeaNode(ros::NodeHandle& node, NodePollLoop& loop, const NmeaNodePara
       clock_(clock),
       rare_(served_by(loop)),
       refusals_(rare_),
-      output_(make_output(node, params)),
+      output_(output_handle(node, params.output), output_params(params)),
       sentences_(make_sentences(node, params)),
-      sender_(params.talker, *this) {
-  for (const NmeaLinkParams& link : params.links) open(link, params);
-  if (!senders_.empty()) {
-    input_ = std::make_unique<VehicleInput>(node, loop, params.topics, sender_, clock_, refusals_);
-  }
+      sender_(params.talker, *this),
+      routes_(node, loop, params, sender_, clock_, refusals_),
+      diagnostics_(rare_, links_) {
+  output_.set_autopilot(routes_.autopilot());
+  for (const NmeaLinkParams& link : params.links) open(node, link, params);
+  open_ais(node, params);
+  input_ = std::make_unique<VehicleInput>(node, loop, params.topics, sender_, clock_, refusals_,
+                                          vehicle_hooks());
 }
 
 NmeaNode::~NmeaNode() = default;
 
-void NmeaNode::open(const NmeaLinkParams& link, const NmeaNodeParams& params) {
+void NmeaNode::open(ros::NodeHandle& node, const NmeaLinkParams& link,
+                    const NmeaNodeParams& params) {
   NmeaReadParams reading;
   reading.framer = params.framer;
   reading.receiver.navsat = params.navsat;
-  reading.receiver.steering = params.steering;
+  reading.receiver.steering = params.autopilot.steering;
   if (params.talker.magnetic_variation_deg != 0.0) {
     reading.receiver.magnetic_variation_deg = params.talker.magnetic_variation_deg;
   }
@@ -65,10 +68,34 @@ void NmeaNode::open(const NmeaLinkParams& link, const NmeaNodeParams& params) {
   hooks.events = &output_;
   hooks.refusals = &refusals_;
   links_.push_back(std::make_unique<NmeaLink>(link.options(), reading, std::move(hooks),
-                                              link.listens, loop_.loop()));
+                                              link.listens, loop_, node));
   if (link.sends) senders_.push_back(links_.back().get());
   ROS_INFO("%s %s", links_.back()->name().c_str(),
            link.sends ? (link.listens ? "sends and listens" : "sends") : "listens");
+}
+
+void NmeaNode::open_ais(ros::NodeHandle& node, const NmeaNodeParams& params) {
+  if (params.ais.mmsi == 0) return;
+  AisExchangeHooks hooks;
+  hooks.to_links = [this](std::string_view sentences) { on_sentence(sentences, {}); };
+  hooks.output = &output_;
+  hooks.refusals = &refusals_;
+  ais_ = std::make_unique<AisExchange>(node, loop_, params.ais, clock_, std::move(hooks));
+}
+
+VehicleHooks NmeaNode::vehicle_hooks() {
+  VehicleHooks hooks;
+  hooks.fixed = [this](SimTime stamp, const nmea::AisState& state, double altitude_m) {
+    if (state.latitude_deg && state.longitude_deg) {
+      routes_.on_fix({*state.latitude_deg, *state.longitude_deg}, altitude_m);
+    }
+    if (ais_) ais_->on_state(stamp, state);
+  };
+  hooks.moved = [this](SimTime stamp, const std::string& frame, const Eigen::Vector2d& p_frame,
+                       const nmea::GroundVelocity& velocity) {
+    routes_.on_position(stamp, frame, p_frame, velocity);
+  };
+  return hooks;
 }
 
 nmea::Receipt NmeaNode::receive() {

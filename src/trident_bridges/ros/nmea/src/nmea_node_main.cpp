@@ -8,13 +8,14 @@
 
 int main(int argc, char** argv) {
   using trident::bridges::NmeaNode;
-  ros::init(argc, argv, "nmea_node");
+  trident::bridges::init_node(argc, argv, "nmea_node");
   ros::NodeHandle node;
   try {
     trident::ros_utils::NodeParams params(ros::NodeHandle("~"));
     const auto own = trident::bridges::read_nmea_params(params);
     params.log_warnings();
     trident::bridges::NodePollLoop loop;
+    loop.follow_clock(node, [](const ros::Time&) {});
     NmeaNode bridge(node, loop, own, trident::bridges::read_utc_clock());
     loop.run();
   } catch (const trident::Error& error) {

@@ -19,7 +19,8 @@ namespace {
 using nmea::GnssEpoch;
 using sensor_msgs::NavSatStatus;
 
-constexpr std::uint32_t kQueueSize = 50;
+constexpr std::uint32_t kInputQueueSize = 1000;
+constexpr double kAccurateM = 10.0;  ///< that AIS calls accurate
 
 SimTime to_sim(const ros::Time& stamp) { return {static_cast<std::int64_t>(stamp.toNSec())}; }
 
@@ -68,12 +69,29 @@ nmea::GroundVelocity velocity_of(const nav_msgs::Odometry& message) {
 
 VehicleInput::VehicleInput(ros::NodeHandle& node, NodePollLoop& loop, const NmeaTopicParams& topics,
                            nmea::SentenceSender& sender, const UtcClock& clock,
-                           ros_utils::Refusals& refusals)
-    : node_(node), loop_(loop), refusals_(refusals), gnss_(sender, clock), instruments_(sender) {
+                           ros_utils::Refusals& refusals, VehicleHooks hooks)
+    : node_(node),
+      loop_(loop),
+      refusals_(refusals),
+      hooks_(std::move(hooks)),
+      gnss_(sender, clock),
+      instruments_(sender) {
   listen<trident_msgs::GnssStatus>(topics.gnss_status, [this](const auto& m) { on_status(m); });
   if (!topics.gnss_status.empty()) status_ = subscriptions_.back().get();
   listen<sensor_msgs::NavSatFix>(topics.fix, [this](const auto& m) { on_fix(m); });
   listen<nav_msgs::Odometry>(topics.odometry, [this](const auto& m) { on_odometry(m); });
+  listen<trident_msgs::WindReading>(topics.wind, [this](const trident_msgs::WindReading& m) {
+    std::string problem = ros_utils::number_problem(m.speed, 500.0, "speed");
+    if (problem.empty()) problem = ros_utils::number_problem(m.angle, 2.0 * kPi, "angle");
+    if (!accept("wind", problem)) return;
+    const bool is_true = m.reference == trident_msgs::WindReading::TRUE;
+    instruments_.on_wind(to_sim(m.header.stamp), {is_true, m.speed, m.angle});
+  });
+  listen_to_water(topics);
+  listen_to_machinery(topics);
+}
+
+void VehicleInput::listen_to_water(const NmeaTopicParams& topics) {
   listen<std_msgs::Float64>(topics.speed_through_water, [this](const std_msgs::Float64& m) {
     if (!accept("speed_through_water", ros_utils::number_problem(m.data, 500.0, "data"))) return;
     instruments_.on_water_velocity(to_sim(ros::Time::now()), {m.data, 0.0});
@@ -82,13 +100,9 @@ VehicleInput::VehicleInput(ros::NodeHandle& node, NodePollLoop& loop, const Nmea
     if (!accept("depth", ros_utils::number_problem(m.range, 1e5, "range"))) return;
     instruments_.on_depth(to_sim(m.header.stamp), {m.range, {}, m.max_range});
   });
-  listen<trident_msgs::WindReading>(topics.wind, [this](const trident_msgs::WindReading& m) {
-    std::string problem = ros_utils::number_problem(m.speed, 500.0, "speed");
-    if (problem.empty()) problem = ros_utils::number_problem(m.angle, 2.0 * kPi, "angle");
-    if (!accept("wind", problem)) return;
-    const bool is_true = m.reference == trident_msgs::WindReading::TRUE;
-    instruments_.on_wind(to_sim(m.header.stamp), {is_true, m.speed, m.angle});
-  });
+}
+
+void VehicleInput::listen_to_machinery(const NmeaTopicParams& topics) {
   listen<std_msgs::Float64>(topics.rudder, [this](const std_msgs::Float64& m) {
     if (!accept("rudder", ros_utils::number_problem(m.data, kPi, "data"))) return;
     instruments_.on_rudder(to_sim(ros::Time::now()), -m.data);
@@ -98,9 +112,8 @@ VehicleInput::VehicleInput(ros::NodeHandle& node, NodePollLoop& loop, const Nmea
     listen<std_msgs::Float64>(topics.shafts[i], [this, i](const std_msgs::Float64& m) {
       if (!accept("shafts", ros_utils::number_problem(m.data, 1e6, "data"))) return;
       shaft_rpm_[i] = m.data;
-      if (i + 1 == shaft_rpm_.size()) {
-        instruments_.on_shafts(to_sim(ros::Time::now()), Span<const double>(shaft_rpm_));
-      }
+      if (i + 1 < shaft_rpm_.size()) return;  // the last one brings all of them
+      instruments_.on_shafts(to_sim(ros::Time::now()), Span<const double>(shaft_rpm_));
     });
   }
 }
@@ -108,7 +121,7 @@ VehicleInput::VehicleInput(ros::NodeHandle& node, NodePollLoop& loop, const Nmea
 template <class Message, class Handler>
 void VehicleInput::listen(const std::string& topic, const Handler& handler) {
   if (topic.empty()) return;
-  subscriptions_.push_back(loop_.subscribe<Message>(node_, topic, kQueueSize, handler));
+  subscriptions_.push_back(loop_.subscribe<Message>(node_, topic, kInputQueueSize, handler));
 }
 
 bool VehicleInput::accept(const std::string& topic, const std::string& problem) {
@@ -128,7 +141,27 @@ void VehicleInput::on_fix(const sensor_msgs::NavSatFix& message) {
   epoch.horizontal_stddev_m = std::sqrt(std::max(message.position_covariance[0], 0.0));
   epoch.vertical_stddev_m = std::sqrt(std::max(message.position_covariance[8], 0.0));
   const bool awaits_status = status_ != nullptr && status_->publishers() > 0;
-  if (const auto complete = join_.add_fix(epoch, awaits_status)) gnss_.on_epoch(*complete);
+  if (const auto complete = join_.add_fix(epoch, awaits_status)) on_epoch(*complete);
+}
+
+void VehicleInput::on_epoch(const GnssEpoch& epoch) {
+  gnss_.on_epoch(epoch);
+  if (!hooks_.fixed) return;
+  nmea::AisState state;
+  if (epoch.fix != GnssEpoch::Fix::kNone) {
+    state.latitude_deg = epoch.latitude_deg;
+    state.longitude_deg = epoch.longitude_deg;
+    state.is_accurate = epoch.horizontal_stddev_m < kAccurateM;
+  }
+  if (velocity_) {
+    state.speed_m_s = std::hypot(velocity_->east_m_s, velocity_->north_m_s);
+    state.course_rad = std::atan2(velocity_->east_m_s, velocity_->north_m_s);
+  }
+  if (attitude_) {
+    state.heading_rad = attitude_->heading_rad;
+    if (attitude_->turn_rad_s) state.turn_rad_s = -*attitude_->turn_rad_s;
+  }
+  hooks_.fixed(epoch.stamp, state, epoch.altitude_m);
 }
 
 void VehicleInput::on_status(const trident_msgs::GnssStatus& message) {
@@ -142,7 +175,7 @@ void VehicleInput::on_status(const trident_msgs::GnssStatus& message) {
   if (std::isfinite(message.geoid_separation)) {
     status.geoid_separation_m = message.geoid_separation;
   }
-  if (const auto complete = join_.add_status(status)) gnss_.on_epoch(*complete);
+  if (const auto complete = join_.add_status(status)) on_epoch(*complete);
 }
 
 void VehicleInput::on_odometry(const nav_msgs::Odometry& message) {
@@ -153,10 +186,14 @@ void VehicleInput::on_odometry(const nav_msgs::Odometry& message) {
     problem = ros_utils::number_problem(message.twist.twist.angular.z, 1e3, "twist.angular.z");
   }
   if (!accept("odometry", problem)) return;
-  const nmea::GroundVelocity velocity = velocity_of(message);
-  gnss_.set_velocity(velocity);
-  instruments_.set_ground_velocity(velocity);
-  instruments_.on_attitude(to_sim(message.header.stamp), attitude_of(message));
+  velocity_ = velocity_of(message);
+  attitude_ = attitude_of(message);
+  gnss_.set_velocity(*velocity_);
+  instruments_.set_ground_velocity(*velocity_);
+  const SimTime stamp = to_sim(message.header.stamp);
+  instruments_.on_attitude(stamp, *attitude_);
+  const auto& p = message.pose.pose.position;
+  if (hooks_.moved) hooks_.moved(stamp, message.header.frame_id, {p.x, p.y}, *velocity_);
 }
 
 }  // namespace trident::bridges

@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include "trident_bridges_ros/nmea/navsat_drivers.h"
+
 namespace trident::bridges {
 namespace {
 
@@ -65,14 +67,23 @@ TEST(NmeaNodeParams, WhatIsNotLegalIsNamed) {
   EXPECT_NE(error_of(length).find("max_length"), std::string::npos) << error_of(length);
 }
 
-TEST(NmeaNodeParams, TheReferenceIsThatOfTheStruct) {
-  const std::string page = ros_utils::params_page(
-      "nmea_node",
-      "Private parameters of nmea_node, or keys of its `~config_file`, printed from the node's "
-      "struct.",
-      ros_utils::document_params<NmeaNodeParams>());
-  EXPECT_EQ(ros_utils::page_on_disk(PARAMETER_PAGES "/nmea_node.md", page), page)
+void expect_page(const std::string& name, const std::string& what, const std::string& tables) {
+  const std::string page = ros_utils::params_page(name, what, tables);
+  EXPECT_EQ(ros_utils::page_on_disk(PARAMETER_PAGES "/" + name + ".md", page), page)
       << "set TRIDENT_WRITE_DOCS=1 to write it";
+}
+
+TEST(NmeaNodeParams, TheReferenceIsThatOfTheStructs) {
+  expect_page("nmea_node",
+              "Private parameters of nmea_node, or keys of its `~config_file`, printed from the "
+              "node's struct.",
+              ros_utils::document_params<NmeaNodeParams>());
+  expect_page("nmea_navsat_driver",
+              "Private parameters of nmea_navsat_driver's nodes, printed from their structs: of "
+              "all; of nmea_serial_driver and\nnmea_topic_serial_reader; of nmea_socket_driver.",
+              ros_utils::document_params<NavsatDriverParams>() + "\n" +
+                  ros_utils::document_params<NavsatSerialParams>() + "\n" +
+                  ros_utils::document_params<NavsatSocketParams>());
 }
 
 }  // namespace

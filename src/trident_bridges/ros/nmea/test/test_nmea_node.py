@@ -18,6 +18,8 @@ from sensor_msgs.msg import NavSatFix, TimeReference
 from trident.testing import Ros, eventually, program, recorder
 from trident_base.ports import free_port
 
+from trident_msgs.msg import RadioPacket
+
 KNOT = 1852.0 / 3600.0
 
 
@@ -116,20 +118,61 @@ def test_what_clients_send_is_published(ros: Ros, client: Callable[[int], Client
         assert sentences.messages[2].sentence == with_checksum("$HEHDT,90.0,T").strip()
 
 
-def test_bad_sentences_are_named_with_link_and_peer(
+def test_sentences_cross_a_simulated_radio(ros: Ros, boat: Boat) -> None:
+    ros.set_param("/nmea/links", [{"url": "radio://usv1/gps"}])
+    process = ros.launch([program("trident_bridges", "nmea_node"), "__name:=nmea"])
+    eventually(lambda: "sends and listens" in process.log, "the node is up")
+    with recorder("/usv1/radio/send", RadioPacket) as packets:
+        heard = rospy.Publisher("/usv1/radio/receive", RadioPacket, queue_size=10)
+        eventually(lambda: boat.is_heard() and heard.get_num_connections() > 0, "subscriptions")
+        boat.publish(100.0)
+        eventually(lambda: any(b"GPGGA" in packet.data for packet in packets.messages), "a GGA")
+        assert {packet.topic for packet in packets.messages} == {"gps"}
+        assert all(packet.data.endswith(b"\r\n") for packet in packets.messages)
+        with recorder("/nmea/heading", QuaternionStamped) as headings:
+            sentence = with_checksum("$HEHDT,90.0,T").encode()
+            packet = RadioPacket(source="uav1", destination="usv1", topic="gps", data=sentence)
+            heard.publish(packet)
+            assert headings.received()[0].quaternion.w == pytest.approx(1.0)
+        heard.unregister()
+
+
+PLACE = "6326.33400,N,01023.94000,E"
+# What a peer may do wrong, one of each kind, and how it is named.
+BAD = {
+    "$HEHDT,90.0,T*00\r\n": "checksum is '00', legal: 16",
+    "$HEHDT,91.0,T\r\n": "checksum is '', legal: * and two hexadecimal digits",
+    with_checksum("$GPTXT,01,01,02," + 62 * "x"): "length is 83, legal: [0, 82]",
+    with_checksum("$HEHDT,90.0,T,1"): "number of fields is 3, legal: [2, 2]",
+    with_checksum("$GPGGA,120000,9100.0,N,01023.9,E,4,12,1.0,1.5,M,39.5,M,,"): (
+        "latitude is '9100.0', legal: [-90, 90]"
+    ),
+    with_checksum(f"$GPGGA,,{PLACE},4,12,1.0,1.5,M,39.5,M,,"): "UTC is '', legal: hhmmss.ss",
+}
+
+
+def test_bad_sentences_are_named_with_link_and_peer_and_the_next_fix_is_read(
     ros: Ros, client: Callable[[int], Client]
 ) -> None:
     port = start(ros)
-    with recorder("/diagnostics", DiagnosticArray) as diagnostics:
+    with (
+        recorder("/diagnostics", DiagnosticArray) as diagnostics,
+        recorder("/nmea/fix", NavSatFix) as fixes,
+        recorder("/nmea/time_reference", TimeReference) as times,
+    ):
         one = client(port)
-        one.send("$HEHDT,90.0,T*00\r\n" + with_checksum("$HEHDT,400.0,T"))
+        one.send("".join(BAD))
 
         def texts() -> str:
             return "\n".join(s.message for array in diagnostics.messages for s in array.status)
 
-        eventually(lambda: "heading is '400.0', legal: [0, 360]" in texts(), "the refusal")
+        eventually(lambda: all(name in texts() for name in BAD.values()), "the refusals")
         assert f"127.0.0.1:{port}" in texts()
-        assert "checksum is '00', legal: 16" in texts()
+        assert not fixes.messages
+        # No sentence has said the date: it is that of the clock.
+        one.send(with_checksum(f"$GPGGA,120000.50,{PLACE},4,12,1.0,1.5,M,39.5,M,,"))
+        assert fixes.received()[0].latitude == pytest.approx(LATITUDE_DEG)
+        assert times.received()[0].time_ref.to_sec() % 86400.0 == pytest.approx(43200.5)
 
 
 def test_a_fix_that_is_not_finite_is_not_sent(

@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from boat import LATITUDE_DEG, LONGITUDE_DEG, Boat, Client
 from trident.testing import Ros, eventually, program
-from trident.testing.clients import clients_python
+from trident.testing.clients import client_program, clients_python
 from trident_base.ports import free_port
 
 # Every sentence of which the boat has the instruments.
@@ -116,8 +116,8 @@ def test_pynmea2_reads_all_that_is_sent(ros: Ros, boat: Boat) -> None:
 
 def check_gpsd(ros: Ros, boat: Boat, source: str) -> None:
     """Has gpsd read a source, and compares what it reports with the truth."""
-    port = free_port()
-    gpsd = ros.launch(["/usr/sbin/gpsd", "-N", "-n", "-b", "-D", "2", "-S", port, source])
+    port, gpspipe = free_port(), client_program("gpspipe")
+    gpsd = ros.launch([client_program("gpsd"), "-N", "-n", "-b", "-D", "2", "-S", port, source])
     pipes = []
 
     def reports() -> list[dict[str, Any]]:
@@ -127,7 +127,7 @@ def check_gpsd(ros: Ros, boat: Boat, source: str) -> None:
 
     def has_enough() -> bool:
         if not pipes or pipes[-1].popen.poll() is not None:  # gpsd was not up yet
-            pipes.append(ros.launch(["/usr/bin/gpspipe", "-w", f"127.0.0.1:{port}"]))
+            pipes.append(ros.launch([gpspipe, "-w", f"127.0.0.1:{port}"]))
         return len(reports()) >= 5
 
     eventually(sailing(boat, has_enough), "reports of gpsd")

@@ -17,11 +17,11 @@ class UtcResolver {
  public:
   /// A sentence that had both.
   void set(const CivilDate& date, const TimeOfDay& time);
-  /// Unix time; nothing without any date.
-  std::optional<std::int64_t> unix_ns(const TimeOfDay& time, const Receipt& receipt) const;
+  /// Unix time; nothing without any date. The days of later times are counted from it.
+  std::optional<std::int64_t> unix_ns(const TimeOfDay& time, const Receipt& receipt);
 
  private:
-  std::optional<std::int64_t> newest_ns_;  ///< Unix time of the last sentence that had a date
+  std::optional<std::int64_t> newest_ns_;  ///< Unix time of the newest, if one had a date
 };
 
 }  // namespace trident::bridges::nmea

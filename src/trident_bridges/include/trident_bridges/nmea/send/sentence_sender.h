@@ -62,6 +62,9 @@ struct TalkerIds {
 
 /// What is sent, how often and by whom.
 struct TalkerParams {
+  /// A rate of sentences that are sent whenever what they are made of comes.
+  static constexpr double kUnlimitedHz = 1e6;
+
   /// Of each sentence that is sent [1/s of simulated time]; never more often than what it is made
   /// of comes.
   std::map<std::string, double> rates = {{"GGA", 5.0}, {"RMC", 1.0}, {"VTG", 1.0}, {"GLL", 1.0},
@@ -74,8 +77,8 @@ struct TalkerParams {
   /// Lists the fields for the parameter reader and the reference.
   template <class Archive>
   void visit(Archive& ar) {
-    ar.field("rates", rates, Range{0.0, 1'000.0},
-             "sentences that are sent, each with its rate in simulated time [Hz]");
+    ar.field("rates", rates, Range{0.0, kUnlimitedHz},
+             "sentences that are sent, with rates in simulated time; 1000000: as they come [Hz]");
     ar.field("talkers", talkers, "two letters that say which device sends");
     ar.field("magnetic_variation", magnetic_variation_deg, Range{-180.0, 180.0},
              "of the place, east is positive [deg]");

@@ -11,16 +11,19 @@
 #include "trident_bridges/transport/endpoint.h"
 #include "trident_bridges/transport/poll_loop.h"
 #include "trident_bridges_ros/nmea/sentence_reader.h"
+#include "trident_bridges_ros/node_poll_loop.h"
 
 namespace trident::bridges {
 
 /// A connection: its peers' bytes are framed and read one by one, and sentences go to all of them.
+/// Over TCP and by radio, sentences that follow one another closely are sent together, the first
+/// one at once.
 class NmeaLink {
  public:
-  /// Opens the endpoint; `loop` and what `hooks` point to outlive the link. `listens`: what comes
-  /// is read. Throws Error with the URL.
+  /// Opens the endpoint; `loop`, `node` and what `hooks` point to outlive the link. `listens`: what
+  /// comes is read. Throws Error with the URL.
   NmeaLink(const EndpointOptions& options, const NmeaReadParams& params, NmeaReadHooks hooks,
-           bool listens, PollLoop& loop);
+           bool listens, NodePollLoop& loop, ros::NodeHandle& node);
   NmeaLink(const NmeaLink&) = delete;
   NmeaLink& operator=(const NmeaLink&) = delete;
 
@@ -34,10 +37,15 @@ class NmeaLink {
   void join(PeerId id, const std::string& address);
   void leave(PeerId id, const std::string& reason);
   void receive(PeerId id, Bytes bytes);
+  void send_now(std::string_view text);
+  void flush();
 
   NmeaReadParams params_;
   NmeaReadHooks hooks_;
-  bool listens_, is_datagrams_;
+  PollLoop& loop_;
+  bool listens_, is_datagrams_, is_gathering_;
+  std::string waiting_;  ///< sentences that flush() sends
+  double sent_s_ = 0.0;  ///< when the last one was handed over
   std::map<PeerId, std::unique_ptr<SentenceReader>> peers_;
   nmea::FramerCounts gone_;  ///< of peers that are gone
   std::unique_ptr<Endpoint> endpoint_;

@@ -12,9 +12,12 @@
 
 #include "trident_base/utc_clock.h"
 #include "trident_bridges/nmea/send/sentence_sender.h"
-#include "trident_bridges_ros/nmea/navsat_output.h"
+#include "trident_bridges_ros/nmea/ais_exchange.h"
+#include "trident_bridges_ros/nmea/instrument_output.h"
+#include "trident_bridges_ros/nmea/link_diagnostics.h"
 #include "trident_bridges_ros/nmea/nmea_link.h"
 #include "trident_bridges_ros/nmea/nmea_node_params.h"
+#include "trident_bridges_ros/nmea/route_exchange.h"
 #include "trident_bridges_ros/nmea/vehicle_input.h"
 #include "trident_bridges_ros/node_poll_loop.h"
 #include "trident_bridges_ros/node_publisher.h"
@@ -37,7 +40,9 @@ class NmeaNode : public nmea::TalkerSink {
   void on_problem(std::string_view type, const nmea::Refusal& refusal) override;
 
  private:
-  void open(const NmeaLinkParams& link, const NmeaNodeParams& params);
+  void open(ros::NodeHandle& node, const NmeaLinkParams& link, const NmeaNodeParams& params);
+  void open_ais(ros::NodeHandle& node, const NmeaNodeParams& params);
+  VehicleHooks vehicle_hooks();
   nmea::Receipt receive();
   void pass_on(const nmea::Sentence& sentence);
 
@@ -45,13 +50,16 @@ class NmeaNode : public nmea::TalkerSink {
   UtcClock clock_;
   ros::NodeHandle rare_;  ///< whose callbacks the loop calls
   ros_utils::Refusals refusals_;
-  NavsatOutput output_;
+  InstrumentOutput output_;
   NodePublisher<nmea_msgs::Sentence> sentences_;
   nmea_msgs::Sentence message_;
   nmea::SentenceSender sender_;
+  RouteExchange routes_;
   std::vector<std::unique_ptr<NmeaLink>> links_;
   std::vector<NmeaLink*> senders_;  ///< those that send
+  std::unique_ptr<AisExchange> ais_;
   std::unique_ptr<VehicleInput> input_;
+  LinkDiagnostics diagnostics_;
 };
 
 }  // namespace trident::bridges

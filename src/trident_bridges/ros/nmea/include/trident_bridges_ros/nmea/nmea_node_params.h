@@ -8,9 +8,12 @@
 #include "trident_base/config_types.h"
 #include "trident_base/utc_clock.h"
 #include "trident_bridges/nmea/receive/receiver.h"
+#include "trident_bridges/nmea/send/guidance_talker.h"
 #include "trident_bridges/nmea/send/sentence_sender.h"
 #include "trident_bridges/nmea/sentence_framer.h"
 #include "trident_bridges/transport/endpoint.h"
+#include "trident_bridges_ros/nmea/ais_exchange.h"
+#include "trident_bridges_ros/nmea/local_frame.h"
 #include "trident_ros/node_params.h"
 
 namespace trident::bridges {
@@ -28,7 +31,8 @@ struct NmeaLinkParams {
   void visit(Archive& ar) {
     ar.field(
         "url", url,
-        "udp://, tcp://, tcp-l:// (a server), serial://, pty://; default port 10110, 4800 baud");
+        "udp://, tcp://, tcp-l:// (a server), serial://, pty://, radio:; default port 10110, 4800 "
+        "baud");
     ar.field("sends", sends, "whether what the vehicle's instruments say is sent");
     ar.field("listens", listens, "whether what comes is read");
     ar.field("allow_remote", allow_remote, "may bind or connect to what is not loopback");
@@ -46,6 +50,7 @@ struct NmeaTopicParams {
   std::string speed_through_water = "speed_through_water";  ///< std_msgs/Float64 [m/s]
   std::string depth = "depth";                              ///< sensor_msgs/Range
   std::string wind = "wind_reading";                        ///< trident_msgs/WindReading
+  std::string path = "command/path";                        ///< nav_msgs/Path: the route
   std::string rudder;                                       ///< std_msgs/Float64 [rad]
   std::vector<std::string> shafts;                          ///< std_msgs/Float64 [1/min]
 
@@ -58,8 +63,22 @@ struct NmeaTopicParams {
     ar.field("speed_through_water", speed_through_water, "std_msgs/Float64 [m/s]");
     ar.field("depth", depth, "sensor_msgs/Range below the transducer");
     ar.field("wind", wind, "trident_msgs/WindReading");
+    ar.field("path", path, "nav_msgs/Path in the frame of the odometry: the route");
     ar.field("rudder", rudder, "std_msgs/Float64, to port is positive [rad]");
     ar.field("shafts", shafts, "std_msgs/Float64 each: one, or starboard and port in turn [1/min]");
+  }
+};
+
+/// What nmea_node does with what route planners say.
+struct AutopilotParams {
+  bool is_on = false;  ///< whether it steers the vehicle
+  nmea::SteeringParams steering;
+
+  /// Lists the fields for the parameter reader and the reference.
+  template <class Archive>
+  void visit(Archive& ar) {
+    ar.field("steers", is_on, "whether command/heading and command/path are published");
+    steering.visit(ar);
   }
 };
 
@@ -69,7 +88,10 @@ struct NmeaNodeParams {
   nmea::FramerParams framer;
   nmea::TalkerParams talker;
   nmea::NavsatParams navsat = exact_navsat();
-  nmea::SteeringParams steering;
+  AutopilotParams autopilot;
+  nmea::GuidanceParams guidance;
+  AisExchangeParams ais;
+  OriginParams origin;
   NmeaTopicParams topics;
   std::string output = "nmea";   ///< namespace of the topics of what is read
   std::string frame_id = "gps";  ///< of these topics
@@ -81,7 +103,10 @@ struct NmeaNodeParams {
     framer.visit(ar);
     talker.visit(ar);
     ar.field("navsat", navsat, "how fixes are read");
-    ar.field("steering", steering, "how autopilot sentences are followed");
+    ar.field("autopilot", autopilot, "what is done with autopilot sentences that come");
+    ar.field("guidance", guidance, "how a route is followed, for those that are sent");
+    ar.field("ais", ais, "the vessel's AIS station");
+    ar.field("origin", origin, "where on earth the odometry's origin lies");
     ar.field("topics", topics, "that instruments are read from; empty: has none");
     ar.field("output", output, "namespace of the topics of what is read");
     ar.field("frame_id", frame_id, "frame of these topics");
