@@ -21,6 +21,7 @@ from trident_tool.lint import CHECKS, run_checks
 from trident_tool.mavlink.command import add_mavlink_command
 from trident_tool.navigation import add_navigation_commands
 from trident_tool.needed_packages import targets_of_launch
+from trident_tool.nmea import add_nmea_command
 from trident_tool.provision import provision
 from trident_tool.running import run_launch_file
 from trident_tool.sanitizing import SANITIZERS, run_sanitized
@@ -56,6 +57,7 @@ COMMANDS = (
     "slam",
     "view",
     "links",
+    "nmea",
     "latency",
     "posegraph",
     "mavlink",
@@ -191,6 +193,7 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
 
     _add_view(add)
     add_links_command(add)
+    add_nmea_command(add)
 
     sub = add("shell", _cmd_shell, "a shell in which the workspace is sourced")
     sub.add_argument("-c", dest="command", metavar="COMMAND", help="run this instead")
