@@ -26,6 +26,8 @@ from trident_eval.core.links import read_links
 from trident_eval.core.log_warnings import log_warnings
 from trident_eval.core.mission_plots import draw_missions
 from trident_eval.core.missions import judge_missions, read_missions
+from trident_eval.core.nmea import add_nmea, read_nmea
+from trident_eval.core.nmea_plots import draw_nmea
 from trident_eval.core.page import Report, page
 from trident_eval.core.plots import draw_all
 from trident_eval.core.provenance import Provenance, read_object, read_provenance
@@ -88,6 +90,7 @@ def _verdict(options: argparse.Namespace) -> int:
         verdict = _without_results(folder, error)
     add_links(verdict, folder)
     add_trial(verdict, folder)
+    add_nmea(verdict, folder)
     add_faults(verdict, read_faults(folder), notes)
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)
@@ -141,6 +144,7 @@ def _report(options: argparse.Namespace) -> int:
         scene, verdict = _judge_folder(source)
         add_links(verdict, source)
         add_trial(verdict, source)
+        add_nmea(verdict, source)
         add_faults(verdict, read_faults(source), [])
         numbers: dict[str, Any] | None = verdict.to_json()
         folder = options.out or source
@@ -175,7 +179,7 @@ def _judge_folder(folder: Path) -> tuple[Scene, Verdict]:
 
 
 def _draw(scene: Scene | None, source: Path, folder: Path) -> list[Path]:
-    """The pictures in the order of the report: of a scene, and of radios where there are any."""
+    """The pictures in the order of the report: of a scene, of radios and of NMEA 0183."""
     pictures = _draw_scene(scene, source, folder) if scene else []
     if source.is_dir() and (links := read_links(source)):
         title = source.resolve().name
@@ -183,6 +187,8 @@ def _draw(scene: Scene | None, source: Path, folder: Path) -> list[Path]:
         if scene and (stations := read_stations(source)):
             tracks = read_states(source / "states.csv")
             pictures = draw_stations(tracks, links, stations, title, folder) + pictures
+    if source.is_dir():
+        pictures += draw_nmea(read_nmea(source), folder)
     return pictures
 
 

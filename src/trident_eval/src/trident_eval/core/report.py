@@ -53,6 +53,7 @@ def verdict_rows(verdict: dict[str, Any]) -> list[Row]:
     platforms: dict[str, dict[str, Any]] = verdict.get("platforms") or {}
     shown += [_platform_row(name, numbers) for name, numbers in platforms.items()]
     shown += _trial_rows(verdict.get("link_trial") or {})
+    shown += [_nmea_row(numbers) for numbers in verdict.get("nmea") or []]
     shown += [_relay_row(numbers) for numbers in verdict.get("relay") or []]
     return shown + [_call_row(numbers) for numbers in verdict.get("calls") or []]
 
@@ -93,6 +94,15 @@ def _platform_row(name: str, numbers: dict[str, Any]) -> Row:
     error = "unknown" if rms is None else _text(rms, "m")
     value = f"{places}{done}, tracking RMS {error}"
     return Row(name, value, f"all, at most {_text(limit, 'm')}", is_satisfied)
+
+
+def _nmea_row(numbers: dict[str, Any]) -> Row:
+    """What a vehicle sent as NMEA 0183, and how far its RTK fixed positions were from the truth."""
+    value = f"{numbers['sentences']} sentences, {numbers['rtk_fixed']} RTK fixed positions"
+    if numbers["position_max_m"] is not None:
+        value += f" within {_text(numbers['position_max_m'], 'm')}"
+    limit = f"at most {_text(numbers['position_limit_m'], 'm')}, no wrong line"
+    return Row(f"NMEA of {numbers['vehicle']}", value, limit, numbers["satisfied"])
 
 
 def _relay_row(numbers: dict[str, Any]) -> Row:
