@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 from trident_benchmarks.__main__ import main
+from trident_benchmarks.bridges.all_rows import ROWS
 from trident_benchmarks.bridges.measure import chosen_rows, line, measure_row
-from trident_benchmarks.bridges.rows import ROWS, BridgeRow, Node
+from trident_benchmarks.bridges.rows import BridgeRow, Node
 from trident_benchmarks.processes import Processes
 from trident_benchmarks.results import UNUSABLE
 from trident_eval.core.errors import EvalError

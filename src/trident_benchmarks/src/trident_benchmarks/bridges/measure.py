@@ -14,7 +14,8 @@ from trident_eval.core.errors import EvalError
 from trident_eval.core.latency import LatencyRecord, make_record, percentiles_ms, read_record
 from trident_eval.ros_paths import program
 
-from trident_benchmarks.bridges.rows import ROWS, SINK_TOPIC, SOURCE_TOPIC, BridgeRow
+from trident_benchmarks.bridges.all_rows import ROWS
+from trident_benchmarks.bridges.rows import SINK_TOPIC, SOURCE_TOPIC, BridgeRow
 from trident_benchmarks.processes import Master, Processes
 from trident_benchmarks.procfs import process_cpu_s
 from trident_benchmarks.results import (
