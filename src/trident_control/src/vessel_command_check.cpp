@@ -78,6 +78,8 @@ CommandVerdict check_command(VesselCommand& command, const VesselControlParams& 
       check.waypoints(command.waypoints);
       check.finite("heading", command.angle, "rad");
       break;
+    case Kind::kStop:
+      break;
   }
   return check.verdict;
 }

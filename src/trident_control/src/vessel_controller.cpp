@@ -180,6 +180,11 @@ void VesselController::apply(SimTime stamp, const VesselCommand& command,
     case Kind::kStation:
       keep_station(command.waypoints.front(), command.angle, state);
       return;
+    case Kind::kStop:
+      mode_ = VesselMode::kIdle;
+      forces_.asked.setZero();
+      forces_.given.setZero();
+      return;
   }
 }
 

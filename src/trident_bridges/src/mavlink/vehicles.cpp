@@ -23,6 +23,15 @@ int numbered(std::optional<int> given, int first, int step, std::size_t i, int l
   return number;
 }
 
+/// Topic of what the vehicle believes, or of the truth, as the shipped descriptions have them.
+std::string odometry_topic(const VehicleEntry& entry) {
+  const bool flies = entry.kind != VehicleKind::kRover && entry.kind != VehicleKind::kBoat;
+  if (entry.truth) return flies ? "ground_truth/odometry" : "ground_truth/odom";
+  if (entry.odometry) return *entry.odometry;
+  if (flies) return "odometry_sensor1/odometry";
+  return entry.kind == VehicleKind::kRover ? "odom" : "odometry";
+}
+
 /// What may be had once: reports who has it already.
 class Claims {
  public:
@@ -49,6 +58,8 @@ std::vector<VehicleLinks> resolve(const VehiclesFile& file) {
     VehicleLinks links;
     links.vehicle = entry.vehicle;
     links.ros_namespace = entry.ros_namespace.value_or(entry.vehicle);
+    links.odometry = odometry_topic(entry);
+    links.max_thrust_N = entry.max_thrust_N;
     links.kind = entry.kind;
     links.autopilot = entry.autopilot;
     links.system_id = static_cast<std::uint8_t>(

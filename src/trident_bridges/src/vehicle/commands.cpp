@@ -185,4 +185,35 @@ Interpretation interpret(const Command& command, Flavor flavor, const PlaceConte
   return reader->second(Asked{command, flavor, context});
 }
 
+bool changes_behavior(const Message& message) {
+  const auto is_question = [](std::uint16_t command) {
+    return command == MAV_CMD_GET_MESSAGE_INTERVAL || command == MAV_CMD_SET_MESSAGE_INTERVAL ||
+           command == MAV_CMD_REQUEST_MESSAGE || command == MAV_CMD_REQUEST_PROTOCOL_VERSION ||
+           command == MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES ||
+           command == MAV_CMD_GET_HOME_POSITION || command == MAV_CMD_RUN_PREARM_CHECKS;
+  };
+  switch (message.id) {
+    case MAVLINK_MSG_ID_COMMAND_LONG:
+      return !is_question(unpack<mavlink_command_long_t>(message).command);
+    case MAVLINK_MSG_ID_COMMAND_INT:
+      return !is_question(unpack<mavlink_command_int_t>(message).command);
+    case MAVLINK_MSG_ID_SET_MODE:
+    case MAVLINK_MSG_ID_PARAM_SET:
+    case MAVLINK_MSG_ID_MISSION_ITEM:
+    case MAVLINK_MSG_ID_MISSION_ITEM_INT:
+    case MAVLINK_MSG_ID_MISSION_CLEAR_ALL:
+    case MAVLINK_MSG_ID_MISSION_SET_CURRENT:
+    case MAVLINK_MSG_ID_MANUAL_CONTROL:
+    case MAVLINK_MSG_ID_RC_CHANNELS_OVERRIDE:
+    case MAVLINK_MSG_ID_SET_ATTITUDE_TARGET:
+    case MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED:
+    case MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT:
+    case MAVLINK_MSG_ID_SET_HOME_POSITION:
+    case MAVLINK_MSG_ID_SET_GPS_GLOBAL_ORIGIN:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace trident::bridges::mavlink

@@ -28,7 +28,8 @@ struct VesselCommand {
     kCourse,    ///< over ground, angle [rad]
     kSpeed,     ///< speed [m/s] of heading, course and path
     kPath,      ///< waypoints [m]
-    kStation    ///< waypoints[0] [m], and the heading `angle` [rad] of vessels that can choose
+    kStation,   ///< waypoints[0] [m], and the heading `angle` [rad] of vessels that can choose
+    kStop       ///< thrusters stand until the next command
   };
   Kind kind = Kind::kVelocity;                  ///< see Kind
   double speed = 0.0, rate = 0.0, angle = 0.0;  ///< [m/s], [rad/s], [rad]
@@ -44,7 +45,7 @@ struct CommandVerdict {
   std::string clamped;  ///< what was cut to which limit
 };
 
-/// What the newest command asks for; kIdle: nothing.
+/// What the newest command asks for; kIdle: nothing, or that the thrusters stand.
 enum class VesselMode { kIdle, kVelocity, kHeading, kCourse, kPath, kStation };
 /// "idle", "velocity", "heading", "course", "path" or "station".
 const char* name_of(VesselMode mode);

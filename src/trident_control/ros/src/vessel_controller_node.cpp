@@ -5,6 +5,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
+#include <geometry_msgs/TwistStamped.h>
 #include <nav_msgs/Path.h>
 #include <std_msgs/Float32.h>
 #include <std_msgs/Float64.h>
@@ -36,6 +37,13 @@ VesselCommand of_twist(const geometry_msgs::Twist& message) {
   VesselCommand command;
   command.speed = message.linear.x;
   command.rate = message.angular.z;
+  return command;
+}
+
+VesselCommand of_cruise(const geometry_msgs::TwistStamped& message) {
+  VesselCommand command;
+  command.kind = Kind::kSpeed;
+  command.speed = message.twist.linear.x;
   return command;
 }
 
@@ -112,17 +120,32 @@ void VesselControllerNode::listen_to_commands(ros::NodeHandle& node) {
   }
   listen<geometry_msgs::Twist>(
       node, "cmd_vel", [this](const auto& message) { accept("cmd_vel", {}, of_twist(message)); });
+  listen_to_stamped_commands(node);
+  listen<std_msgs::Float64>(node, "speed_through_water", [this](const auto& message) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::string problem = ros_utils::number_problem(message.data, 1e3, "speed_through_water");
+    if (!problem.empty()) note("speed_through_water refused", true, problem + " m/s");
+    controller_.set_log(now_, message.data);
+  });
+}
+
+void VesselControllerNode::listen_to_stamped_commands(ros::NodeHandle& node) {
   listen<nav_msgs::Path>(node, "command/path", [this](const auto& message) {
     accept("command/path", message.header.stamp, of_path(message));
   });
   listen<geometry_msgs::PoseStamped>(node, "command/pose", [this](const auto& message) {
     accept("command/pose", message.header.stamp, of_pose(message));
   });
-  listen<std_msgs::Float64>(node, "speed_through_water", [this](const auto& message) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const std::string problem = ros_utils::number_problem(message.data, 1e3, "speed_through_water");
-    if (!problem.empty()) note("speed_through_water refused", true, problem + " m/s");
-    controller_.set_log(now_, message.data);
+  listen<geometry_msgs::TwistStamped>(node, "command/velocity", [this](const auto& message) {
+    accept("command/velocity", message.header.stamp, of_twist(message.twist));
+  });
+  listen<geometry_msgs::TwistStamped>(node, "command/cruise", [this](const auto& message) {
+    accept("command/cruise", message.header.stamp, of_cruise(message));
+  });
+  listen<std_msgs::Header>(node, "command/stop", [this](const std_msgs::Header& message) {
+    VesselCommand stop;
+    stop.kind = Kind::kStop;
+    accept("command/stop", message.stamp, stop);
   });
 }
 

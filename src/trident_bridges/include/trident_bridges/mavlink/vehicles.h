@@ -37,6 +37,8 @@ inline constexpr Range kLegalPorts{1024.0, 65535.0};
 struct VehicleEntry {
   std::string vehicle;                                  ///< name of the model in the world
   std::optional<std::string> ros_namespace;             ///< of its topics; its name
+  bool truth = false;                                   ///< fly by the truth, no estimate
+  std::optional<std::string> odometry;                  ///< topic of the estimator; by kind
   VehicleKind kind = VehicleKind::kQuadrotor;           ///< what moves it
   AutopilotFlavour autopilot = AutopilotFlavour::kPx4;  ///< its modes and parameters
   std::optional<std::uint8_t> system_id;                ///< 1 + i
@@ -46,6 +48,7 @@ struct VehicleEntry {
   std::optional<std::uint16_t> tcp_port;                ///< TCP server: 5760 + 10 i
   std::optional<std::uint16_t> px4_simulator_port;      ///< TCP server: 4560 + i
   std::optional<std::uint16_t> ardupilot_json_port;     ///< UDP, local: 9002 + 10 i
+  double max_thrust_N = 24.0;                           ///< of all rotors; of the iris
   bool accept_mavlink1 = false;                         ///< understand MAVLink 1, too
   std::optional<std::string> signing_key_file;          ///< sign and ask for signatures
 
@@ -54,6 +57,11 @@ struct VehicleEntry {
   void visit(Archive& ar) {
     ar.required("vehicle", vehicle, "name of the model in the world");
     ar.field("namespace", ros_namespace, "of its topics; default: its name");
+    ar.field("truth", truth, "steer by ground_truth/..., not by what the vehicle can know");
+    ar.field("odometry", odometry,
+             "topic of its estimate; default: odometry_sensor1/odometry, odom, odometry by kind");
+    ar.field("max_thrust", max_thrust_N, Range{0.1, 1e5},
+             "of all rotors together, what a thrust of 1 means [N]");
     ar.field("kind", kind, "what moves it");
     ar.field("autopilot", autopilot, "whose modes, parameters and habits it has");
     ar.field("system_id", system_id, Range{1, 254}, "of MAVLink; default: 1 + i");
@@ -94,6 +102,8 @@ struct VehiclesFile {
 struct VehicleLinks {
   std::string vehicle;                 ///< see VehicleEntry
   std::string ros_namespace;           ///< see VehicleEntry
+  std::string odometry;                ///< see VehicleEntry; of the truth, if it flies by that
+  double max_thrust_N;                 ///< see VehicleEntry
   VehicleKind kind;                    ///< see VehicleEntry
   AutopilotFlavour autopilot;          ///< see VehicleEntry
   std::uint8_t system_id;              ///< see VehicleEntry

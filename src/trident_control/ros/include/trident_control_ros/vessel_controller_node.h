@@ -22,12 +22,14 @@ namespace trident::control {
 /// Subscribes `odometry`, `cmd_vel` (geometry_msgs/Twist: surge speed, yaw rate),
 /// `command/heading`, `command/course` [rad], `command/speed` [m/s] (std_msgs/Float64),
 /// `command/path` (nav_msgs/Path), `command/pose` (geometry_msgs/PoseStamped: station) and
-/// `speed_through_water` (std_msgs/Float64, of a log). The newest command decides what is done;
-/// places are in the frame of the odometry. Answers each odometry message with one
+/// `speed_through_water` (std_msgs/Float64, of a log). What counts by its stamp: `command/velocity`
+/// (geometry_msgs/TwistStamped) as `cmd_vel`, `command/cruise` (geometry_msgs/TwistStamped, its
+/// linear.x) as `command/speed`, `command/stop` (std_msgs/Header): the thrusters stand until the
+/// next command. The newest command decides what is done; places are in the frame of the odometry. Answers each odometry message with one
 /// `command/motor_speed` (mav_msgs/Actuators) of the same stamp, all commands of
 /// ThrustAllocation::topics(), which keeps lockstep with the simulator, and publishes each on its
-/// own topic for any listener: thrusters as std_msgs/Float32, rudders as Float64. A stamped path
-/// or pose is confirmed on `command/accepted_setpoint`, as by the controllers of multirotors.
+/// own topic for any listener: thrusters as std_msgs/Float32, rudders as Float64. What has a
+/// stamp is confirmed on `command/accepted_setpoint`, as by the controllers of multirotors.
 /// `cross_track_error` [m] is the distance from the path. What was wrong with a command is logged
 /// once and counted on /diagnostics.
 class VesselControllerNode : public RunningNode {
@@ -48,6 +50,7 @@ class VesselControllerNode : public RunningNode {
   template <class Message, class Convert>
   void listen(ros::NodeHandle& node, const std::string& topic, const Convert& convert);
   void listen_to_commands(ros::NodeHandle& node);
+  void listen_to_stamped_commands(ros::NodeHandle& node);
   void accept(const std::string& topic, const ros::Time& stamp, const VesselCommand& command);
   void note(const std::string& kind, bool is_error, const std::string& text);
   void on_odometry(const StampedOdometry& odometry);

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <sensor_msgs/BatteryState.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trident_bridges/vehicle/telemetry.h"
+#include "trident_bridges_ros/mavlink/static_frames.h"
+#include "trident_bridges_ros/node_poll_loop.h"
+#include "trident_ros/refusals.h"
+
+namespace trident::bridges {
+
+/// What a vehicle's own sensors and its estimator publish, as its autopilot takes it.
+class VehicleSensors {
+ public:
+  /// Where the odometry is, and what hears of it.
+  struct Setup {
+    std::string odometry;                ///< topic below the vehicle's namespace
+    const StaticFrames& frames;          ///< must outlive this
+    ros_utils::Refusals& refusals;       ///< must outlive this
+    std::function<void(SimTime)> moved;  ///< there is a newer state, with its stamp
+  };
+  /// Subscribes below `node`: the odometry and `battery`.
+  VehicleSensors(ros::NodeHandle& node, NodePollLoop& loop, Setup setup);
+
+  const VehicleState& state() const { return state_; }                 ///< world
+  const mavlink::VehicleReadings& readings() const { return readings_; }  ///< the newest
+  const std::string& frame() const { return frame_; }                  ///< of the odometry
+  const SE3& T_world_frame() const { return T_world_frame_; }          ///< of the same
+
+ private:
+  void on_odometry(const nav_msgs::Odometry& message);
+  void on_battery(const sensor_msgs::BatteryState& message);
+  void take_battery(SimTime now);
+  bool find_frame(const std::string& frame);
+
+  Setup setup_;
+  VehicleState state_;
+  mavlink::VehicleReadings readings_;
+  std::string frame_, topic_;
+  SE3 T_world_frame_;
+  ros::WallTime frame_wanted_;  // zero: not yet
+  /// Counts from a later odometry on, so that it is the same one in each run.
+  struct WaitingBattery {
+    SimTime stamp;
+    double charge, voltage_V, current_A;
+  };
+  std::vector<WaitingBattery> batteries_;
+  std::vector<std::unique_ptr<ros_utils::DirectSubscription>> subscriptions_;
+};
+
+}  // namespace trident::bridges

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "trident_bridges_ros/mavlink/fleet_vehicle.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "trident_bridges/vehicle/commands.h"
+
+namespace trident::bridges {
+namespace {
+
+mavlink::MavlinkVehicleOptions options_of(const mavlink::VehicleLinks& links,
+                                          const FleetParts& parts) {
+  mavlink::MavlinkVehicleOptions options;
+  options.kind = links.kind;
+  options.flavour = links.autopilot;
+  options.system_id = links.system_id;
+  options.origin = parts.params.origin.place();
+  options.utc_start = parts.utc_start;
+  options.accept_mavlink1 = links.accept_mavlink1;
+  return options;
+}
+
+}  // namespace
+
+FleetVehicle::FleetVehicle(const mavlink::VehicleLinks& links, const FleetParts& parts)
+    : name_(links.vehicle),
+      parts_(parts),
+      key_(links.signing_key_file),
+      vehicle_(options_of(links, parts), [this](const mavlink::Message& m) { send(m); }) {
+  ros::NodeHandle node("/" + links.ros_namespace);
+  const auto received = [this](const mavlink::Message& message, const std::string& from) {
+    receive(message, from);
+  };
+  ports_ = std::make_unique<VehiclePorts>(
+      links,
+      VehiclePorts::Setup{parts.params.allow_remote, parts.gcs_remote_port, received,
+                          [this](const std::string& kind, const std::string& text) {
+                            parts_.refusals.note(name_ + ": " + kind, text);
+                          }},
+      key_, parts.loop.loop());
+  router_number_ =
+      parts.router.add_vehicle(links.vehicle, links.accept_mavlink1, key_, received);
+  output_ = make_setpoint_output(node, links.kind, links.max_thrust_N);
+  sensors_ = std::make_unique<VehicleSensors>(
+      node, parts.loop,
+      VehicleSensors::Setup{links.odometry, parts.frames, parts.refusals,
+                            [this](SimTime stamp) { on_moved(stamp); }});
+}
+
+mavlink::BothTimes FleetVehicle::both(SimTime now) const {
+  return {now, SimTime::from_seconds(parts_.loop.loop().now_s())};
+}
+
+void FleetVehicle::send(const mavlink::Message& message) {
+  ports_->send(message);
+  parts_.router.send(router_number_, message);
+}
+
+void FleetVehicle::receive(const mavlink::Message& message, const std::string& from) {
+  if (!vehicle_.handle(message, both(now_))) return;
+  if (was_commanded_ || !mavlink::changes_behavior(message)) return;
+  was_commanded_ = true;
+  parts_.commanded("MAVLink system " + std::to_string(message.source.system) + " at " + from +
+                   " commands " + name_);
+}
+
+void FleetVehicle::update(SimTime now) {
+  now_ = std::max(now_, now);
+  vehicle_.update(both(now_));
+}
+
+/// A vehicle whose set-points have stamps gets one for the next multiple of the period as soon as
+/// it has passed one; any other gets an answer to each odometry.
+void FleetVehicle::on_moved(SimTime stamp) {
+  if (stamp < moved_) now_ = given_ = {};  // time was set back
+  moved_ = stamp;
+  now_ = std::max(now_, stamp);
+  const auto period_ns = SimTime::from_seconds(parts_.params.period_s).ns;
+  const SimTime next{(stamp.ns / period_ns + 1) * period_ns};
+  if (output_->is_stamped() && next <= given_) return;
+  vehicle_.update(both(now_));
+  setpoint_ = vehicle_.step(stamp, sensors_->state());
+  vehicle_.set_readings(sensors_->readings());
+  publish(next);
+}
+
+void FleetVehicle::publish(SimTime stamp) {
+  given_ = stamp;
+  output_->publish(setpoint_,
+                   {sensors_->state(), stamp, sensors_->frame(), sensors_->T_world_frame()});
+}
+
+void FleetVehicle::begin_lockstep(SimTime start) {
+  if (!output_->is_stamped()) return;
+  is_lockstep_ = true;
+  if (given_ < start) publish(start);
+}
+
+void FleetVehicle::repeat() {
+  if (is_lockstep_ && moved_ < given_) publish(given_);
+}
+
+}  // namespace trident::bridges
