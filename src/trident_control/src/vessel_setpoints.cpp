@@ -13,6 +13,8 @@ namespace {
 constexpr double kLeaveStation = 1.5;
 /// Further than the course the bow is not turned [rad].
 constexpr double kLargestLead = 0.6;
+/// A turn to the other side is shorter from here on [rad].
+constexpr double kHalfAround = 0.95 * kPi;
 /// The speed by which a drift becomes a bow angle is at least this fraction of the cruise speed.
 constexpr double kMinSpeedFraction = 0.5;
 
@@ -66,12 +68,17 @@ double VesselController::slowed(double heading, const VesselState& state) const 
 
 /// The heading that turns the motion through the water towards `course`: a hull without a keel
 /// keeps its velocity when its bow turns, so the bow has to turn further until the velocity has
-/// followed.
+/// followed. It does not turn further than half around: beyond, the other turn would be the shorter
+/// one, the lead would change its sign with it, and the bow would swing between both.
 double VesselController::steered_towards(double course, double speed,
                                          const VesselState& state) const {
   const double course_now = state.heading + std::atan2(drift_.sway(), speed);
   const double lead = params_.guidance.course_gain * angle_difference(course, course_now);
-  return wrap_to_pi(course + std::clamp(lead, -kLargestLead, kLargestLead));
+  const double turn = angle_difference(course, state.heading);
+  const double left_room = std::max(kHalfAround - turn, 0.0);
+  const double right_room = std::max(kHalfAround + turn, 0.0);
+  return wrap_to_pi(course + std::clamp(lead, -std::min(kLargestLead, right_room),
+                                        std::min(kLargestLead, left_room)));
 }
 
 VesselController::Setpoint VesselController::path_setpoint(SimTime stamp, const VesselState& state,

@@ -16,6 +16,11 @@ import numpy as np
 
 from trident_eval.bag import read_bag
 from trident_eval.core.animation import animate
+from trident_eval.core.client_flights import (
+    judge_client_flights,
+    missions_of,
+    read_client_record,
+)
 from trident_eval.core.errors import EvalError
 from trident_eval.core.exit_codes import exit_code_of
 from trident_eval.core.faults import add_faults, read_faults
@@ -25,7 +30,7 @@ from trident_eval.core.link_trial import add_trial, read_stations
 from trident_eval.core.links import read_links
 from trident_eval.core.log_warnings import log_warnings
 from trident_eval.core.mission_plots import draw_missions
-from trident_eval.core.missions import judge_missions, read_missions
+from trident_eval.core.missions import Mission, judge_missions, read_missions
 from trident_eval.core.nmea import add_nmea, read_nmea
 from trident_eval.core.nmea_plots import draw_nmea
 from trident_eval.core.page import Report, page
@@ -167,6 +172,9 @@ def _show_frames(count: int, total: int) -> None:
 
 def _judge_folder(folder: Path) -> tuple[Scene, Verdict]:
     tracks = read_states(folder / "states.csv")
+    if record := read_client_record(folder):
+        scene = Scene(folder.resolve().name, tracks.select(list(record)))
+        return scene, judge_client_flights(tracks, record, read_object(folder / "run.json"))
     if missions := read_missions(folder):
         scene = Scene(folder.resolve().name, tracks.select([mission.name for mission in missions]))
         return scene, judge_missions(tracks, missions, read_object(folder / "run.json"))
@@ -195,11 +203,16 @@ def _draw(scene: Scene | None, source: Path, folder: Path) -> list[Path]:
 def _draw_scene(scene: Scene, source: Path, folder: Path) -> list[Path]:
     """The pictures of a scene; an animation is shown, not made."""
     pictures = draw_all(scene, folder)
-    if source.is_dir() and (missions := read_missions(source)):
+    if source.is_dir() and (missions := _missions(source)):
         pictures = draw_missions(scene.tracks, missions, scene.title, folder) + pictures
     if (folder / ANIMATION).is_file():
         pictures.insert(0, folder / ANIMATION)
     return pictures
+
+
+def _missions(folder: Path) -> list[Mission]:
+    """What platforms were to do, by the run's files or by a client."""
+    return missions_of(read_client_record(folder)) or read_missions(folder)
 
 
 def write_report(

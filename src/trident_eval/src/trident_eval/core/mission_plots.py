@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -39,11 +40,14 @@ def _draw(tracks: Tracks, missions: list[Mission], title: str) -> Any:
         _draw_plan(plan, tracks, mission, color(index))
         outcome = follow(tracks, mission)
         error.plot(outcome.time, outcome.error, color=color(index), label=mission.name)
-        error.axhline(mission.limit_m, color=color(index), linewidth=0.7, linestyle=(0, (2, 3)))
+        if math.isfinite(mission.limit_m):
+            line = {"linewidth": 0.7, "linestyle": (0, (2, 3))}
+            error.axhline(mission.limit_m, color=color(index), **line)
     plan.set(xlabel="x east [m]", ylabel="y north [m]", aspect="equal", title="plan view")
     plan.margins(0.06)
     error.set(xlabel="simulated time [s]", ylabel="distance to the path [m]", ylim=(0.0, None))
-    error.set_title("until the last place; dotted: limit of the RMS")
+    limited = any(math.isfinite(mission.limit_m) for mission in missions)
+    error.set_title("until the last place" + "; dotted: limit of the RMS" * limited)
     figure.legend(*error.get_legend_handles_labels(), loc="lower center", ncols=9)
     figure.get_layout_engine().set(rect=(0.0, 0.06, 1.0, 0.94))
     return figure

@@ -31,7 +31,7 @@ class Mission:
         start: where it starts [m, world], shape (3,).
         places: to be reached one after the other [m, world], shape (n, d); d is 2 but for a UAV: 3.
         reach_m: a place is reached this near.
-        limit_m: of the tracking error.
+        limit_m: of the tracking error; NaN: it has none.
     """
 
     name: str
@@ -72,7 +72,7 @@ class Outcome:
 
 
 def read_missions(folder: Path) -> list[Mission]:
-    """Those of a run: every namespace with a `mission` in its params.json, by name.
+    """Those of a run: every namespace with a `mission` of places in its params.json, by name.
 
     Raises:
         EvalError: one that is not what platforms.launch makes.
@@ -80,9 +80,15 @@ def read_missions(folder: Path) -> list[Mission]:
     parameters = read_object(folder / "params.json").get("parameters") or {}
     missions = []
     for name, values in sorted(parameters.items()):
-        if isinstance(values, dict) and isinstance(values.get("mission"), dict):
+        mission = values.get("mission") if isinstance(values, dict) else None
+        if isinstance(mission, dict) and _has_places(mission):
             missions.append(_mission(f"{folder}/params.json: /{name}/mission", name, values))
     return missions
+
+
+def _has_places(mission: dict[str, Any]) -> bool:
+    """A platform of another pilot than a mission's file has its kind and its start alone."""
+    return not mission.keys() <= {"kind", "start"}
 
 
 def _mission(where: str, name: str, values: dict[str, Any]) -> Mission:

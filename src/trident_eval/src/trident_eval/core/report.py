@@ -54,6 +54,8 @@ def verdict_rows(verdict: dict[str, Any]) -> list[Row]:
     shown += [_platform_row(name, numbers) for name, numbers in platforms.items()]
     shown += _trial_rows(verdict.get("link_trial") or {})
     shown += [_nmea_row(numbers) for numbers in verdict.get("nmea") or []]
+    commanded: dict[str, dict[str, Any]] = verdict.get("commanded") or {}
+    shown += [_commanded_row(name, numbers) for name, numbers in commanded.items()]
     shown += [_relay_row(numbers) for numbers in verdict.get("relay") or []]
     return shown + [_call_row(numbers) for numbers in verdict.get("calls") or []]
 
@@ -103,6 +105,22 @@ def _nmea_row(numbers: dict[str, Any]) -> Row:
         value += f" within {_text(numbers['position_max_m'], 'm')}"
     limit = f"at most {_text(numbers['position_limit_m'], 'm')}, no wrong line"
     return Row(f"NMEA of {numbers['vehicle']}", value, limit, numbers["satisfied"])
+
+
+def _commanded_row(name: str, numbers: dict[str, Any]) -> Row:
+    """What one vehicle did that a client has commanded."""
+    items, passed, reported = (numbers[f"items{key}"] for key in ("", "_passed", "_reported"))
+    armed = "armed" if numbers["armed"] else "not armed"
+    refusals = f"{numbers['refusals']} refusal{'s' * (numbers['refusals'] != 1)}"
+    value = f"{armed}, {passed} of {items} items ({reported} reported), {numbers['end']}, {refusals}"
+    is_satisfied = (
+        numbers["armed"]
+        and numbers["mission_equal"]
+        and numbers["ended"]
+        and passed == reported == items
+        and not numbers["refusals"]
+    )
+    return Row(name, value, f"all, within {_text(numbers['radius_m'], 'm')}", is_satisfied)
 
 
 def _relay_row(numbers: dict[str, Any]) -> Row:

@@ -150,6 +150,26 @@ TEST(VesselController, CommandsOfALaterStampWaitAndAResetForgetsThem) {
             control::ControlStatus::invalid_state);
 }
 
+TEST(VesselController, ThrustersStandAfterAStopUntilTheNextCommand) {
+  ControlledBoat boat("otter", shipped_control("otter"));
+  control::VesselCommand stop;
+  stop.kind = Kind::kStop;
+  const auto is_at_rest = [&] {
+    const auto commands = boat.controller().commands();
+    return std::all_of(commands.begin(), commands.end(), [](double one) { return one == 0.0; });
+  };
+  boat.command(velocity(1.0, 0.1));
+  boat.run(5.0);
+  EXPECT_FALSE(is_at_rest());
+  boat.command(stop);
+  boat.run(1.0);
+  EXPECT_TRUE(is_at_rest());
+  EXPECT_EQ(boat.controller().mode(), control::VesselMode::kIdle);
+  boat.command(velocity(1.0, 0.1));
+  boat.run(1.0);
+  EXPECT_FALSE(is_at_rest());
+}
+
 TEST(VesselController, AStampedPathThatComesAgainIsNotStartedAgain) {
   const auto place = [](double repeated_at, double stamp) {
     ControlledBoat boat("otter", shipped_control("otter"), uniform_current(0.3, 1.0));
@@ -184,6 +204,16 @@ TEST_P(EveryControlledBoat, TurnsToAHeadingWithoutOvershoot) {
   EXPECT_NEAR(boat.heading(), 2.0, deg_to_rad(0.5));
   EXPECT_LT(highest, 2.0 + deg_to_rad(3.0));
   EXPECT_NEAR(boat.boat().nu()[0], control().speed.cruise, 0.02);
+}
+
+TEST_P(EveryControlledBoat, TurnsAroundToAPathThatLeadsAstern) {
+  for (const double degrees : {150.0, 165.0, 178.0, -155.0, -170.0}) {
+    const double course = deg_to_rad(degrees);
+    ControlledBoat boat(GetParam(), control());
+    boat.command(follow({{0.0, 0.0}, {80.0 * std::cos(course), 80.0 * std::sin(course)}}));
+    boat.run(40.0);
+    EXPECT_LT(std::abs(angle_difference(boat.heading(), course)), deg_to_rad(60.0)) << degrees;
+  }
 }
 
 TEST_P(EveryControlledBoat, FollowsVelocityCommandsAndStopsWithoutNewOnes) {
