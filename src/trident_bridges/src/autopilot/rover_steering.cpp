@@ -15,9 +15,9 @@ Drive along_leg(const Setpoint& setpoint, const VehicleState& state,
   if (distance_m <= params.stop_radius_m) return {};
   const Eigen::Vector2d leg = (setpoint.p_m - setpoint.p_from_m).head<2>();
   double course = std::atan2(to_go.y(), to_go.x());
-  // Near the end, beside a leg without a length, or beyond it, the end itself is aimed at.
-  const bool is_on_leg = leg.norm() > params.lookahead_m && leg.dot(to_go) > 0.0 &&
-                         distance_m > params.lookahead_m;
+  // Near the end, behind it, or where the leg has no length, the end itself is aimed at.
+  const bool is_on_leg =
+      leg.norm() > params.lookahead_m && leg.dot(to_go) > 0.0 && distance_m > params.lookahead_m;
   if (is_on_leg) {
     const Eigen::Vector2d along = leg.normalized();
     const double left_m = along.y() * to_go.x() - along.x() * to_go.y();

@@ -38,7 +38,7 @@ double follow(const Setpoint& setpoint, double time_s, VehicleState& state) {
   return off_m;
 }
 
-TEST(RoverSteering, ALegIsReachedFromBesideItAndFromBehind) {
+TEST(RoverSteering, ALegIsReachedFromBothItsSidesAndFromBehind) {
   for (const Eigen::Vector3d& begin :
        {Eigen::Vector3d(0, 3, 0), Eigen::Vector3d(0, -4, 0), Eigen::Vector3d(24, 1, 0)}) {
     VehicleState state;

@@ -41,6 +41,21 @@ TEST(Vehicles, WhatIsNotGivenFollowsFromThePlace) {
   EXPECT_EQ(file.router_port, 14445);
 }
 
+TEST(Vehicles, OdometryIsTheEstimateUnlessTheTruthIsAskedFor) {
+  const auto file = load_yaml_string<VehiclesFile>(
+      "vehicles: [{vehicle: a}, {vehicle: b, kind: rover}, {vehicle: c, kind: boat}, "
+      "{vehicle: d, truth: true}, {vehicle: e, kind: boat, truth: true}, "
+      "{vehicle: f, odometry: vio/odometry, max_thrust: 40}]",
+      "vehicles.yaml");
+  std::vector<std::string> topics;
+  for (const VehicleLinks& links : resolve(file)) topics.push_back(links.odometry);
+  const std::vector<std::string> expected = {
+      "odometry_sensor1/odometry", "odom",        "odometry", "ground_truth/odometry",
+      "ground_truth/odom",         "vio/odometry"};
+  EXPECT_EQ(topics, expected);
+  EXPECT_EQ(resolve(file)[5].max_thrust_N, 40.0);
+}
+
 TEST(Vehicles, AClashIsOneErrorThatNamesBoth) {
   const std::string twice = "vehicles: [{vehicle: a, system_id: 2}, {vehicle: b}]";
   EXPECT_NE(error_of(twice).find("'a' and 'b' both have system id 2"), std::string::npos)

@@ -104,5 +104,21 @@ TEST_F(Commands, NoParametersCrashAnyCommand) {
   }
 }
 
+TEST_F(Commands, WhoOnlyAsksChangesNothing) {
+  mavlink_command_long_t command{};
+  for (const int number : {MAV_CMD_SET_MESSAGE_INTERVAL, MAV_CMD_REQUEST_MESSAGE}) {
+    command.command = static_cast<std::uint16_t>(number);
+    EXPECT_FALSE(changes_behavior(pack(command, {255, 190}))) << number;
+  }
+  command.command = MAV_CMD_COMPONENT_ARM_DISARM;
+  EXPECT_TRUE(changes_behavior(pack(command, {255, 190})));
+  EXPECT_FALSE(changes_behavior(pack(mavlink_heartbeat_t{}, {255, 190})));
+  EXPECT_FALSE(changes_behavior(pack(mavlink_param_request_list_t{}, {255, 190})));
+  EXPECT_FALSE(changes_behavior(pack(mavlink_mission_request_int_t{}, {255, 190})));
+  EXPECT_TRUE(changes_behavior(pack(mavlink_param_set_t{}, {255, 190})));
+  EXPECT_TRUE(changes_behavior(pack(mavlink_mission_item_int_t{}, {255, 190})));
+  EXPECT_TRUE(changes_behavior(pack(mavlink_set_position_target_local_ned_t{}, {255, 190})));
+}
+
 }  // namespace
 }  // namespace trident::bridges::mavlink

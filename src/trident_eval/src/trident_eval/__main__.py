@@ -18,6 +18,7 @@ from trident_eval.bag import read_bag
 from trident_eval.core.animation import animate
 from trident_eval.core.client_flights import (
     judge_client_flights,
+    judge_piloted,
     missions_of,
     read_client_record,
 )
@@ -30,7 +31,7 @@ from trident_eval.core.link_trial import add_trial, read_stations
 from trident_eval.core.links import read_links
 from trident_eval.core.log_warnings import log_warnings
 from trident_eval.core.mission_plots import draw_missions
-from trident_eval.core.missions import Mission, judge_missions, read_missions
+from trident_eval.core.missions import Mission, judge_missions, read_missions, read_piloted
 from trident_eval.core.nmea import add_nmea, read_nmea
 from trident_eval.core.nmea_plots import draw_nmea
 from trident_eval.core.page import Report, page
@@ -175,6 +176,9 @@ def _judge_folder(folder: Path) -> tuple[Scene, Verdict]:
     if record := read_client_record(folder):
         scene = Scene(folder.resolve().name, tracks.select(list(record)))
         return scene, judge_client_flights(tracks, record, read_object(folder / "run.json"))
+    if piloted := read_piloted(folder):
+        scene = Scene(folder.resolve().name, tracks.select(piloted))
+        return scene, judge_piloted(tracks, piloted, read_object(folder / "run.json"))
     if missions := read_missions(folder):
         scene = Scene(folder.resolve().name, tracks.select([mission.name for mission in missions]))
         return scene, judge_missions(tracks, missions, read_object(folder / "run.json"))

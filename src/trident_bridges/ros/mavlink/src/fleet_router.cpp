@@ -72,8 +72,8 @@ FleetRouter::~FleetRouter() = default;
 
 SimTime FleetRouter::now() const { return SimTime::from_seconds(loop_.now_s()); }
 
-std::size_t FleetRouter::add_vehicle(const std::string& name, bool accept_mavlink1,
-                                     VehicleKey& key, Received received) {
+std::size_t FleetRouter::add_vehicle(const std::string& name, bool accept_mavlink1, VehicleKey& key,
+                                     Received received) {
   vehicles_.push_back(std::make_unique<Vehicle>(accept_mavlink1, key));
   vehicles_.back()->name = name;
   vehicles_.back()->received = std::move(received);

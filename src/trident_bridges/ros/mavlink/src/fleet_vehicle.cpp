@@ -40,8 +40,7 @@ FleetVehicle::FleetVehicle(const mavlink::VehicleLinks& links, const FleetParts&
                             parts_.refusals.note(name_ + ": " + kind, text);
                           }},
       key_, parts.loop.loop());
-  router_number_ =
-      parts.router.add_vehicle(links.vehicle, links.accept_mavlink1, key_, received);
+  router_number_ = parts.router.add_vehicle(links.vehicle, links.accept_mavlink1, key_, received);
   output_ = make_setpoint_output(node, links.kind, links.max_thrust_N);
   sensors_ = std::make_unique<VehicleSensors>(
       node, parts.loop,
@@ -98,8 +97,12 @@ void FleetVehicle::begin_lockstep(SimTime start) {
   if (given_ < start) publish(start);
 }
 
+/// A world that began before it was heard stands still until the next set-point is there: at rest.
 void FleetVehicle::repeat() {
-  if (is_lockstep_ && moved_ < given_) publish(given_);
+  if (!is_lockstep_ || given_ <= moved_) return;
+  constexpr int kPatience = 20;
+  const bool was_missed = moved_.ns == 0 && ++silent_looks_ % kPatience == 0;
+  publish(was_missed ? given_ + SimTime::from_seconds(parts_.params.period_s) : given_);
 }
 
 }  // namespace trident::bridges

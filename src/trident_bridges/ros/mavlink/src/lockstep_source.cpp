@@ -27,8 +27,8 @@ LockstepSource::~LockstepSource() {
   thread_.join();
 }
 
-/// Our simulator offers lockstep before it offers to spawn. False: there is none that waits, or
-/// the node ends.
+/// Our simulator offers lockstep before it offers to spawn. False: no simulator waits, or the
+/// node ends.
 bool LockstepSource::await_service() {
   while (!is_ending_ && ros::ok()) {
     const bool is_simulator_there = ros::service::exists(kSpawn, false);

@@ -44,11 +44,11 @@ MavlinkFleetNode::MavlinkFleetNode(ros::NodeHandle& node, NodePollLoop& loop,
   transforms_ = loop.subscribe<tf2_msgs::TFMessage>(
       node, "/tf_static", 100, [this](const tf2_msgs::TFMessage& message) {
         const std::string problem = frames_.add(message);
-        if (!problem.empty()) refusals_.note("/tf_static refused", "/tf_static refused: " + problem);
+        if (!problem.empty())
+          refusals_.note("/tf_static refused", "/tf_static refused: " + problem);
       });
-  router_ = std::make_unique<FleetRouter>(
-      FleetRouter::Setup{file.router_port, params.allow_remote}, loop.loop(),
-      [this] { router_->deliver(); });
+  router_ = std::make_unique<FleetRouter>(FleetRouter::Setup{file.router_port, params.allow_remote},
+                                          loop.loop(), [this] { router_->deliver(); });
   parts_ = std::make_unique<FleetParts>(
       FleetParts{params_, file.gcs_remote_port, utc_start(), loop, frames_, refusals_, *router_,
                  [this](const std::string& text) { note_commanded(text); }});
@@ -70,20 +70,20 @@ void MavlinkFleetNode::look_around() {
   next_look_ = loop_.loop().call_after(kLookEvery_s, [this] { look_around(); });
   router_->deliver();
   router_->update();
-  if (params_.lockstep && !source_ && has_all_controllers()) enroll();
+  if (params_.lockstep && !source_ && is_all_connected()) enroll();
   for (const auto& vehicle : vehicles_) vehicle->repeat();
 }
 
-bool MavlinkFleetNode::has_all_controllers() const {
+bool MavlinkFleetNode::is_all_connected() const {
   return std::all_of(vehicles_.begin(), vehicles_.end(),
-                     [](const auto& vehicle) { return vehicle->output().has_reader(); });
+                     [](const auto& vehicle) { return vehicle->is_connected(); });
 }
 
 void MavlinkFleetNode::enroll() {
   LockstepSource::Setup setup;
   setup.period_s = params_.period_s;
   for (const auto& vehicle : vehicles_) {
-    if (vehicle->output().is_stamped()) setup.vehicles.push_back(vehicle->name());
+    if (vehicle->is_stamped()) setup.vehicles.push_back(vehicle->name());
   }
   if (setup.vehicles.empty()) {
     params_.lockstep = false;

@@ -11,8 +11,7 @@ int main(int argc, char** argv) {
   init_node(argc, argv, "mavlink_vehicle_node");
   ros::NodeHandle node;
   try {
-    const auto params =
-        trident::ros_utils::load_params<MavlinkNodeParams>(ros::NodeHandle("~"));
+    const auto params = trident::ros_utils::load_params<MavlinkNodeParams>(ros::NodeHandle("~"));
     NodePollLoop loop;
     const MavlinkFleetNode fleet(node, loop, params);
     loop.run();

@@ -34,8 +34,7 @@ geometry_msgs::Quaternion to_quaternion(const Eigen::Quaterniond& q) {
 }
 
 geometry_msgs::Quaternion of_yaw(double yaw) {
-  return to_quaternion(
-      Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ())));
+  return to_quaternion(Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ())));
 }
 
 geometry_msgs::Vector3 thrust_of(const Setpoint& setpoint, double max_thrust_N) {

@@ -25,13 +25,13 @@ namespace trident::control {
 /// `speed_through_water` (std_msgs/Float64, of a log). What counts by its stamp: `command/velocity`
 /// (geometry_msgs/TwistStamped) as `cmd_vel`, `command/cruise` (geometry_msgs/TwistStamped, its
 /// linear.x) as `command/speed`, `command/stop` (std_msgs/Header): the thrusters stand until the
-/// next command. The newest command decides what is done; places are in the frame of the odometry. Answers each odometry message with one
-/// `command/motor_speed` (mav_msgs/Actuators) of the same stamp, all commands of
-/// ThrustAllocation::topics(), which keeps lockstep with the simulator, and publishes each on its
-/// own topic for any listener: thrusters as std_msgs/Float32, rudders as Float64. What has a
-/// stamp is confirmed on `command/accepted_setpoint`, as by the controllers of multirotors.
-/// `cross_track_error` [m] is the distance from the path. What was wrong with a command is logged
-/// once and counted on /diagnostics.
+/// next command. The newest command decides what is done; places are in the frame of the odometry.
+/// Answers each odometry message with one `command/motor_speed` (mav_msgs/Actuators) of the same
+/// stamp, all commands of ThrustAllocation::topics(), which keeps lockstep with the simulator, and
+/// publishes each on its own topic for any listener: thrusters as std_msgs/Float32, rudders as
+/// Float64. What has a stamp is confirmed on `command/accepted_setpoint`, as by the controllers of
+/// multirotors. `cross_track_error` [m] is the distance from the path. What was wrong with a
+/// command is logged once and counted on /diagnostics.
 class VesselControllerNode : public RunningNode {
  public:
   /// Subscribes and advertises below `node`'s namespace. Throws Error as VesselController does.

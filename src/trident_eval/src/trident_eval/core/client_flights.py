@@ -93,6 +93,26 @@ def judge_client_flights(
     return verdict
 
 
+def judge_piloted(tracks: Tracks, names: list[str], run: dict[str, Any]) -> Verdict:
+    """Judge a run whose client has left no record: were all vehicles there to its end?
+
+    Args:
+        tracks: where everything was.
+        names: of the vehicles.
+        run: the simulator's run.json; may be empty.
+    """
+    numbers: dict[str, Any] = {"mode": "mavlink", "vehicles": names}
+    verdict = Verdict(numbers | {key: run.get(key) for key in _FROM_RUN})
+    present = np.isfinite(tracks.select(names).position).all(axis=2)
+    verdict.reasons = [
+        f"{name}: no finite state at the end"
+        for name, there in zip(names, present[-1], strict=True)
+        if not there
+    ]
+    take_over(run, verdict)
+    return verdict
+
+
 def _numbers(entry: dict[str, Any], passed: int) -> dict[str, Any]:
     wanted = int(entry["places_wanted"])
     home = int(entry["uploaded"]) - wanted  # ArduPilot's item 0 is home

@@ -77,13 +77,25 @@ def read_missions(folder: Path) -> list[Mission]:
     Raises:
         EvalError: one that is not what platforms.launch makes.
     """
+    return [
+        _mission(f"{folder}/params.json: /{name}/mission", name, values)
+        for name, values in _platforms(folder)
+        if _has_places(values["mission"])
+    ]
+
+
+def read_piloted(folder: Path) -> list[str]:
+    """Platforms of a run that somebody from outside commands, by name."""
+    return [name for name, values in _platforms(folder) if not _has_places(values["mission"])]
+
+
+def _platforms(folder: Path) -> list[tuple[str, dict[str, Any]]]:
     parameters = read_object(folder / "params.json").get("parameters") or {}
-    missions = []
-    for name, values in sorted(parameters.items()):
-        mission = values.get("mission") if isinstance(values, dict) else None
-        if isinstance(mission, dict) and _has_places(mission):
-            missions.append(_mission(f"{folder}/params.json: /{name}/mission", name, values))
-    return missions
+    return [
+        (name, values)
+        for name, values in sorted(parameters.items())
+        if isinstance(values, dict) and isinstance(values.get("mission"), dict)
+    ]
 
 
 def _has_places(mission: dict[str, Any]) -> bool:

@@ -112,7 +112,9 @@ def _commanded_row(name: str, numbers: dict[str, Any]) -> Row:
     items, passed, reported = (numbers[f"items{key}"] for key in ("", "_passed", "_reported"))
     armed = "armed" if numbers["armed"] else "not armed"
     refusals = f"{numbers['refusals']} refusal{'s' * (numbers['refusals'] != 1)}"
-    value = f"{armed}, {passed} of {items} items ({reported} reported), {numbers['end']}, {refusals}"
+    value = (
+        f"{armed}, {passed} of {items} items ({reported} reported), {numbers['end']}, {refusals}"
+    )
     is_satisfied = (
         numbers["armed"]
         and numbers["mission_equal"]

@@ -31,7 +31,7 @@ class Errand:
         kind: `uav`, `ugv` or `usv`.
         places: to be reached one after the other: ahead, left, up of where it starts [m].
         radius: a place counts as reached within it [m].
-        take_off: height of a take-off above the start [m]; 0: there is none.
+        take_off: height of a take-off above the start [m]; 0: no take-off.
         end: `land`: back home and down; `return`: back home; `hold`: where the last place is.
     """
 
@@ -53,7 +53,7 @@ class ErrandRecord:
         places: of its mission [m, world].
         armed: whether it was.
         uploaded: items of its mission that it took.
-        downloaded_equal: whether it gave back what it was given.
+        downloaded_equal: whether it returned what it was sent.
         reached: items that it has reported as reached.
         ended: whether it landed, or holds, as it was to.
         refusals: commands, missions and parameters that it has refused.

@@ -157,7 +157,7 @@ class Pilot:
             return
         if self.errand.end == "return":
             yield from self._wait(
-                lambda: self._home_distance() < _HOME_RADIUS_M, _RETURN_S, "the way home"
+                lambda: self._home_distance() < _HOME_RADIUS_M, _RETURN_S, "the return home"
             )
         main, sub = _PX4_HOLD if self._is_px4 else _ROVER_HOLD
         yield from self._do(mavlink.MAV_CMD_DO_SET_MODE, 1.0, main, sub)

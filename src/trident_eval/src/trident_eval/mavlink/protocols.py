@@ -72,8 +72,10 @@ def command(station: Station, vehicle: Vehicle, number: int, *params: float) -> 
 
     def is_answered() -> bool:
         ack = vehicle.newest.get("COMMAND_ACK")
-        is_new = vehicle.count("COMMAND_ACK") > seen
-        return bool(is_new and ack.command == number and ack.result != 5)  # 5: in progress
+        if ack is None or vehicle.count("COMMAND_ACK") == seen:
+            return False
+        in_progress = ack.result == mavlink.MAV_RESULT_IN_PROGRESS
+        return bool(ack.command == number and not in_progress)
 
     def send(attempt: int) -> None:
         station.send.command_long_send(vehicle.system, _AUTOPILOT, number, attempt, *values)

@@ -101,7 +101,7 @@ class Vehicle:
 
 
 class Station:
-    """One connection, over which all vehicles are met."""
+    """One connection, that carries all vehicles."""
 
     def __init__(self, host: str, port: int, connect_s: float = 60.0) -> None:
         """Connect, as soon as somebody listens.
@@ -118,7 +118,7 @@ class Station:
 
     @property
     def send(self) -> Any:
-        """pymavlink's encoder: its methods `..._send` send."""
+        """Pymavlink's encoder: its methods `..._send` send."""
         return self._link.mav
 
     def vehicle(self, system: int) -> Vehicle:

@@ -21,7 +21,7 @@ namespace trident::bridges {
 
 class VehicleKey;
 
-/// The one TCP port at which all vehicles are met. What is for a vehicle is handed over by
+/// The one TCP port that carries all vehicles. What is for a vehicle is handed over by
 /// deliver(), never within send(), because a vehicle answers at once.
 class FleetRouter {
  public:

@@ -47,8 +47,11 @@ class FleetVehicle {
   /// Gives the newest set-point again if it may have reached nobody.
   void repeat();
 
-  const std::string& name() const { return name_; }             ///< of its model
-  const SetpointOutput& output() const { return *output_; }     ///< its controllers
+  const std::string& name() const { return name_; }  ///< of its model
+  /// Whether the world can wait for it: its set-points have stamps.
+  bool is_stamped() const { return output_->is_stamped(); }
+  /// Whether its odometry comes and a controller takes its set-points.
+  bool is_connected() const { return sensors_->is_connected() && output_->has_reader(); }
 
  private:
   void receive(const mavlink::Message& message, const std::string& from);
@@ -66,10 +69,11 @@ class FleetVehicle {
   std::size_t router_number_ = 0;
   mavlink::MavlinkVehicle vehicle_;
   Setpoint setpoint_;
-  SimTime now_;                // the newest time that it has heard of
-  SimTime moved_;              // of the newest odometry
-  SimTime given_;              // stamp of the newest set-point
-  bool is_lockstep_ = false;   // the world waits
+  SimTime now_;               // the newest time that it has heard of
+  SimTime moved_;             // of the newest odometry
+  SimTime given_;             // stamp of the newest set-point
+  bool is_lockstep_ = false;  // the world waits
+  int silent_looks_ = 0;      // of repeat(), before there was any odometry
   bool was_commanded_ = false;
 };
 

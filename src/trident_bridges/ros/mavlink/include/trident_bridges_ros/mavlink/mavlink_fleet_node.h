@@ -30,7 +30,7 @@ class MavlinkFleetNode {
 
  private:
   void look_around();
-  bool has_all_controllers() const;
+  bool is_all_connected() const;
   void enroll();
   void note_commanded(const std::string& text);
 

@@ -16,10 +16,10 @@ namespace trident::bridges {
 
 /// Where a set-point comes from, and for which frame.
 struct SetpointContext {
-  const VehicleState& state;       ///< by which it was made, world
-  SimTime stamp;                   ///< when it counts
-  const std::string& frame;        ///< of the controller's odometry
-  const SE3& T_world_frame;        ///< takes coordinates of that frame to the world
+  const VehicleState& state;  ///< by which it was made, world
+  SimTime stamp;              ///< when it counts
+  const std::string& frame;   ///< of the controller's odometry
+  const SE3& T_world_frame;   ///< takes coordinates of that frame to the world
 };
 
 /// Gives an autopilot's set-points to the controllers of one vehicle.

@@ -35,14 +35,14 @@ class VehicleKey {
   std::vector<std::unique_ptr<mavlink::PacketSigner>> signers_;
 };
 
-/// The ports at which one vehicle alone is met: for offboard programs and for ground stations by
+/// The ports of one vehicle alone: for offboard programs and for ground stations by
 /// UDP, and a TCP server.
 class VehiclePorts {
  public:
   /// What they are opened with, and who hears what comes.
   struct Setup {
-    bool allow_remote = false;       ///< may be reached from other computers
-    std::uint16_t gcs_remote_port;   ///< where ground stations listen
+    bool allow_remote = false;      ///< may be reached from other computers
+    std::uint16_t gcs_remote_port;  ///< where ground stations listen
     /// A message has come; the text names the port and the sender's address.
     std::function<void(const mavlink::Message&, const std::string& from)> received;
     /// A packet was refused: its kind and a whole sentence.

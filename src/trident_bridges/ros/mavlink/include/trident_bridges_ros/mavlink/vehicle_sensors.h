@@ -32,10 +32,12 @@ class VehicleSensors {
   /// Subscribes below `node`: the odometry and `battery`.
   VehicleSensors(ros::NodeHandle& node, NodePollLoop& loop, Setup setup);
 
-  const VehicleState& state() const { return state_; }                 ///< world
+  /// Whether somebody publishes the odometry to this node.
+  bool is_connected() const { return subscriptions_.front()->publishers() > 0; }
+  const VehicleState& state() const { return state_; }                    ///< world
   const mavlink::VehicleReadings& readings() const { return readings_; }  ///< the newest
-  const std::string& frame() const { return frame_; }                  ///< of the odometry
-  const SE3& T_world_frame() const { return T_world_frame_; }          ///< of the same
+  const std::string& frame() const { return frame_; }                     ///< of the odometry
+  const SE3& T_world_frame() const { return T_world_frame_; }             ///< of the same
 
  private:
   void on_odometry(const nav_msgs::Odometry& message);
