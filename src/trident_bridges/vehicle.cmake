@@ -16,5 +16,11 @@ trident_bridges_room(vehicle
 add_dependencies(trident_bridges_vehicle trident_bridges_mavlink_headers)
 target_link_libraries(trident_bridges_vehicle PUBLIC trident_bridges_autopilot trident_bridges_mavlink
   PkgConfig::GEOGRAPHICLIB)
+add_executable(mavlink_parameters programs/mavlink_parameters.cpp)
+target_compile_options(mavlink_parameters PRIVATE -Wall -Wextra)
+target_link_libraries(mavlink_parameters trident_bridges_autopilot)
+set_target_properties(mavlink_parameters PROPERTIES
+  RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+install(TARGETS mavlink_parameters RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 trident_bridges_test(vehicle
   test/vehicle/commands_test.cpp test/vehicle/mavlink_vehicle_test.cpp test/vehicle/targets_test.cpp)

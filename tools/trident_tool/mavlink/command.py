@@ -25,8 +25,15 @@ _PROGRAMS = "lib/trident_bridges"
 def add_mavlink_command(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
     """Adds ``mavlink`` to the command line."""
     sub = add("mavlink", _cmd_mavlink, "which vehicles speak MAVLink, what they say, logs again")
-    sub.add_argument("action", choices=["list", "watch", "replay"])
+    sub.add_argument("action", nargs="?", choices=["list", "watch", "replay"])
     sub.add_argument("log", nargs="?", type=Path, metavar="FILE.tlog", help="with replay")
+    sub.add_argument(
+        "--parameters",
+        nargs="?",
+        const="",
+        metavar="WHOSE",
+        help="print the parameters of vehicles: px4 or ardupilot, or e.g. px4/uav, ardupilot/usv",
+    )
     sub.add_argument(
         "--vehicles", type=Path, metavar="FILE", help="list: default config/bridges/vehicles.yaml"
     )
@@ -48,6 +55,10 @@ def add_mavlink_command(add: Callable[[str, Handler, str], argparse.ArgumentPars
 def _cmd_mavlink(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
     if (options.action == "replay") != (options.log is not None):
         raise TridentError("mavlink: FILE.tlog is named with replay, and with replay alone")
+    if (options.action is None) == (options.parameters is None):
+        raise TridentError("mavlink: legal: one of list, watch, replay FILE.tlog, --parameters")
+    if options.parameters is not None:
+        return _parameters(workspace, runner, options.parameters)
     if options.action == "list":
         return _list(workspace, runner, options)
     if options.action == "watch":
@@ -61,6 +72,13 @@ def _list(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> 
     build(workspace, runner, ["mavlink_vehicles"])
     env = None if runner.dry_run else ros_environment(workspace)
     return runner.run([program, options.vehicles or default], env=env)
+
+
+def _parameters(workspace: Workspace, runner: Runner, whose: str) -> int:
+    program = workspace.devel / _PROGRAMS / "mavlink_parameters"
+    build(workspace, runner, ["mavlink_parameters"])
+    env = None if runner.dry_run else ros_environment(workspace)
+    return runner.run([program, *(word for word in whose.split("/") if word)], env=env)
 
 
 def _watch(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
