@@ -9,6 +9,8 @@ trident_bridges_room(vehicle
   src/vehicle/mavlink_vehicle.cpp
   src/vehicle/missions.cpp
   src/vehicle/status_telemetry.cpp
+  src/vehicle/sensor_telemetry.cpp
+  src/vehicle/setpoint_telemetry.cpp
   src/vehicle/sticks.cpp
   src/vehicle/targets.cpp
   src/vehicle/telemetry.cpp
@@ -23,4 +25,5 @@ set_target_properties(mavlink_parameters PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
 install(TARGETS mavlink_parameters RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 trident_bridges_test(vehicle
-  test/vehicle/commands_test.cpp test/vehicle/mavlink_vehicle_test.cpp test/vehicle/targets_test.cpp)
+  test/vehicle/commands_test.cpp test/vehicle/mavlink_vehicle_test.cpp test/vehicle/targets_test.cpp
+  test/vehicle/telemetry_test.cpp)

@@ -92,6 +92,7 @@ Message sys_status(const TelemetrySource& source) {
   unsigned present = MAV_SYS_STATUS_SENSOR_3D_GYRO | MAV_SYS_STATUS_SENSOR_3D_ACCEL |
                      MAV_SYS_STATUS_SENSOR_GPS | MAV_SYS_STATUS_AHRS | MAV_SYS_STATUS_PREARM_CHECK;
   if (!std::isnan(source.state.battery)) present |= MAV_SYS_STATUS_SENSOR_BATTERY;
+  present |= MAV_SYS_STATUS_GEOFENCE;
   payload.onboard_control_sensors_present = present;
   payload.onboard_control_sensors_enabled = present;
   const bool can_arm =
@@ -100,6 +101,9 @@ Message sys_status(const TelemetrySource& source) {
   if (!source.state.position_stamp) {
     present &= ~static_cast<unsigned>(MAV_SYS_STATUS_SENSOR_GPS | MAV_SYS_STATUS_AHRS);
   }
+  const bool breaks_fence = source.state.position_stamp &&
+                            source.autopilot.fence().breach(source.state.p_world_m).has_value();
+  if (breaks_fence) present &= ~static_cast<unsigned>(MAV_SYS_STATUS_GEOFENCE);
   payload.onboard_control_sensors_health = present;
   payload.voltage_battery = millivolts(source.readings.voltage_V);
   payload.current_battery = centiamperes(source.readings.current_A);
@@ -133,7 +137,7 @@ Message extended_sys_state(const TelemetrySource& source) {
 Message system_time(const TelemetrySource& source) {
   mavlink_system_time_t payload{};
   payload.time_unix_usec = static_cast<std::uint64_t>(source.clock.unix_ns_at(source.now) / 1000);
-  payload.time_boot_ms = static_cast<std::uint32_t>(source.now.ns / 1'000'000);
+  payload.time_boot_ms = source.boot_ms();
   return pack(payload, source.self);
 }
 
@@ -163,7 +167,7 @@ void fill_place(const GeoPlace& place, const TelemetrySource& source, Payload& p
   payload.latitude = static_cast<std::int32_t>(std::lround(1e7 * place.latitude_deg));
   payload.longitude = static_cast<std::int32_t>(std::lround(1e7 * place.longitude_deg));
   payload.altitude = static_cast<std::int32_t>(std::lround(1e3 * place.altitude_m));
-  payload.time_usec = static_cast<std::uint64_t>(source.now.ns / 1000);
+  payload.time_usec = source.boot_us();
 }
 
 std::optional<Message> home_position(const TelemetrySource& source) {

@@ -9,6 +9,8 @@
 #include "trident_base/angle.h"
 #include "trident_bridges/mavlink/dialect.h"
 #include "trident_bridges/mavlink/frames.h"
+#include "vehicle/sensor_telemetry.h"
+#include "vehicle/setpoint_telemetry.h"
 #include "vehicle/status_telemetry.h"
 
 namespace trident::bridges::mavlink {
@@ -16,10 +18,6 @@ namespace {
 
 constexpr std::uint8_t kSatellites = 12;  // a good sky
 constexpr std::uint16_t kDilution = 80;   // 100 * HDOP, 100 * VDOP
-
-std::uint32_t boot_ms(const TelemetrySource& source) {
-  return static_cast<std::uint32_t>(source.now.ns / 1'000'000);
-}
 
 /// Clockwise from north, 0 to 36000 [0.01 deg].
 std::uint16_t centidegrees(double angle_rad) {
@@ -33,6 +31,10 @@ std::int16_t centimeters(double v_m_s) {
   return static_cast<std::int16_t>(std::lround(std::clamp(100.0 * v_m_s, -32767.0, 32767.0)));
 }
 
+std::uint32_t millimeters(double length_m) {
+  return static_cast<std::uint32_t>(std::lround(std::clamp(1e3 * length_m, 0.0, 4e9)));
+}
+
 /// Of body (FRD) in the world (NED).
 Eigen::Quaterniond attitude_of(const TelemetrySource& source) {
   return swap_attitude(source.state.R_world_body).normalized();
@@ -42,7 +44,7 @@ Message attitude(const TelemetrySource& source) {
   const Eigen::Quaterniond q = attitude_of(source);
   const Eigen::Vector3f w = swap_body(source.readings.w_body_rad_s).cast<float>();
   mavlink_attitude_t payload{};
-  payload.time_boot_ms = boot_ms(source);
+  payload.time_boot_ms = source.boot_ms();
   payload.roll = static_cast<float>(std::atan2(2.0 * (q.w() * q.x() + q.y() * q.z()),
                                                1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())));
   payload.pitch =
@@ -59,7 +61,7 @@ Message attitude_quaternion(const TelemetrySource& source) {
   const Eigen::Quaternionf q = attitude_of(source).cast<float>();
   const Eigen::Vector3f w = swap_body(source.readings.w_body_rad_s).cast<float>();
   mavlink_attitude_quaternion_t payload{};
-  payload.time_boot_ms = boot_ms(source);
+  payload.time_boot_ms = source.boot_ms();
   payload.q1 = q.w();
   payload.q2 = q.x();
   payload.q3 = q.y();
@@ -74,7 +76,7 @@ Message local_position_ned(const TelemetrySource& source) {
   const Eigen::Vector3f p = swap_world(source.state.p_world_m).cast<float>();
   const Eigen::Vector3f v = swap_world(source.state.v_world_m_s).cast<float>();
   mavlink_local_position_ned_t payload{};
-  payload.time_boot_ms = boot_ms(source);
+  payload.time_boot_ms = source.boot_ms();
   payload.x = p.x();
   payload.y = p.y();
   payload.z = p.z();
@@ -99,7 +101,7 @@ double height_above_home(const TelemetrySource& source) {
 Message global_position_int(const TelemetrySource& source) {
   const Eigen::Vector3d v = swap_world(source.state.v_world_m_s);
   mavlink_global_position_int_t payload{};
-  payload.time_boot_ms = boot_ms(source);
+  payload.time_boot_ms = source.boot_ms();
   fill_geo_place(source, payload);
   payload.relative_alt = static_cast<std::int32_t>(std::lround(1e3 * height_above_home(source)));
   payload.vx = centimeters(v.x());
@@ -109,17 +111,42 @@ Message global_position_int(const TelemetrySource& source) {
   return pack(payload, source.self);
 }
 
+void fill_believed(const TelemetrySource& source, mavlink_gps_raw_int_t& payload) {
+  fill_geo_place(source, payload);
+  payload.eph = payload.epv = kDilution;
+  payload.fix_type = GPS_FIX_TYPE_3D_FIX;
+  payload.satellites_visible = kSatellites;
+}
+
+/// False: there is no receiver.
+bool fill_gnss(const std::optional<GnssReading>& gnss, mavlink_gps_raw_int_t& payload) {
+  if (!gnss) return false;
+  payload.time_usec = static_cast<std::uint64_t>(gnss->stamp.ns / 1000);
+  payload.satellites_visible = static_cast<std::uint8_t>(std::clamp(gnss->satellites, 0, 255));
+  payload.eph = payload.epv = std::numeric_limits<std::uint16_t>::max();
+  payload.fix_type = GPS_FIX_TYPE_NO_FIX;
+  if (!gnss->has_fix) return true;
+  payload.fix_type = GPS_FIX_TYPE_3D_FIX;
+  if (gnss->is_rtk_float) payload.fix_type = GPS_FIX_TYPE_RTK_FLOAT;
+  if (gnss->is_rtk_fixed) payload.fix_type = GPS_FIX_TYPE_RTK_FIXED;
+  payload.lat = static_cast<std::int32_t>(std::lround(1e7 * gnss->place.latitude_deg));
+  payload.lon = static_cast<std::int32_t>(std::lround(1e7 * gnss->place.longitude_deg));
+  payload.alt = static_cast<std::int32_t>(std::lround(1e3 * gnss->place.altitude_m));
+  payload.eph = payload.epv = kDilution;
+  payload.h_acc = millimeters(gnss->horizontal_stddev_m);
+  payload.v_acc = millimeters(gnss->vertical_stddev_m);
+  return true;
+}
+
+/// From the receiver; a vehicle without one says what it believes itself.
 Message gps_raw_int(const TelemetrySource& source) {
   const Eigen::Vector3d v = source.state.v_world_m_s;
   mavlink_gps_raw_int_t payload{};
-  payload.time_usec = static_cast<std::uint64_t>(source.now.ns / 1000);
-  fill_geo_place(source, payload);
-  payload.eph = payload.epv = kDilution;
+  payload.time_usec = source.boot_us();
+  if (!fill_gnss(source.readings.gnss, payload)) fill_believed(source, payload);
   const double speed_m_s = v.head<2>().norm();
   payload.vel = static_cast<std::uint16_t>(centimeters(speed_m_s));
   payload.cog = centidegrees(swap_yaw(std::atan2(v.y(), v.x())));
-  payload.fix_type = GPS_FIX_TYPE_3D_FIX;
-  payload.satellites_visible = kSatellites;
   return pack(payload, source.self);
 }
 
@@ -136,12 +163,51 @@ Message vfr_hud(const TelemetrySource& source) {
 
 Message altitude(const TelemetrySource& source) {
   mavlink_altitude_t payload{};
-  payload.time_usec = static_cast<std::uint64_t>(source.now.ns / 1000);
+  payload.time_usec = source.boot_us();
   const auto amsl = static_cast<float>(source.geo.to_geo(source.state.p_world_m).altitude_m);
   payload.altitude_monotonic = payload.altitude_amsl = amsl;
   payload.altitude_local = static_cast<float>(source.state.p_world_m.z());
   payload.altitude_relative = static_cast<float>(height_above_home(source));
   payload.altitude_terrain = payload.bottom_clearance = std::numeric_limits<float>::quiet_NaN();
+  return pack(payload, source.self);
+}
+
+Message odometry(const TelemetrySource& source) {
+  const Eigen::Vector3f p = swap_world(source.state.p_world_m).cast<float>();
+  const Eigen::Quaternionf q = attitude_of(source).cast<float>();
+  const Eigen::Vector3d v_body = source.state.R_world_body.conjugate() * source.state.v_world_m_s;
+  const Eigen::Vector3f v = swap_body(v_body).cast<float>();
+  const Eigen::Vector3f w = swap_body(source.readings.w_body_rad_s).cast<float>();
+  mavlink_odometry_t payload{};
+  payload.time_usec = source.boot_us();
+  payload.x = p.x();
+  payload.y = p.y();
+  payload.z = p.z();
+  payload.q[0] = q.w();
+  payload.q[1] = q.x();
+  payload.q[2] = q.y();
+  payload.q[3] = q.z();
+  payload.vx = v.x();
+  payload.vy = v.y();
+  payload.vz = v.z();
+  payload.rollspeed = w.x();
+  payload.pitchspeed = w.y();
+  payload.yawspeed = w.z();
+  payload.pose_covariance[0] = payload.velocity_covariance[0] =
+      std::numeric_limits<float>::quiet_NaN();  // not known
+  payload.frame_id = MAV_FRAME_LOCAL_NED;
+  payload.child_frame_id = MAV_FRAME_BODY_FRD;
+  payload.estimator_type = MAV_ESTIMATOR_TYPE_AUTOPILOT;
+  return pack(payload, source.self);
+}
+
+Message estimator_status(const TelemetrySource& source) {
+  mavlink_estimator_status_t payload{};
+  payload.time_usec = source.boot_us();
+  payload.flags = ESTIMATOR_ATTITUDE | ESTIMATOR_VELOCITY_HORIZ | ESTIMATOR_VELOCITY_VERT |
+                  ESTIMATOR_POS_HORIZ_REL | ESTIMATOR_POS_HORIZ_ABS | ESTIMATOR_POS_VERT_ABS |
+                  ESTIMATOR_PRED_POS_HORIZ_REL | ESTIMATOR_PRED_POS_HORIZ_ABS;
+  payload.pos_horiz_accuracy = static_cast<float>(source.state.position_stddev_m);
   return pack(payload, source.self);
 }
 
@@ -162,6 +228,10 @@ std::optional<Message> motion_message(std::uint32_t id, const TelemetrySource& s
       return vfr_hud(source);
     case MAVLINK_MSG_ID_ALTITUDE:
       return altitude(source);
+    case MAVLINK_MSG_ID_ODOMETRY:
+      return odometry(source);
+    case MAVLINK_MSG_ID_ESTIMATOR_STATUS:
+      return estimator_status(source);
     default:
       return std::nullopt;
   }
@@ -171,7 +241,9 @@ std::optional<Message> motion_message(std::uint32_t id, const TelemetrySource& s
 
 std::optional<Message> telemetry_message(std::uint32_t id, const TelemetrySource& source) {
   if (const auto message = status_message(id, source)) return message;
+  if (const auto message = sensor_message(id, source)) return message;
   if (!source.state.position_stamp) return std::nullopt;
+  if (const auto message = setpoint_message(id, source)) return message;
   return motion_message(id, source);
 }
 

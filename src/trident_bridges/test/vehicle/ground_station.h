@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,6 +21,8 @@
 #include "trident_bridges/vehicle/mavlink_vehicle.h"
 
 namespace trident::bridges::mavlink::testing {
+
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Where its world is.
 inline constexpr GeoPlace kOrigin{47.397742, 8.545594, 488.0};

@@ -13,9 +13,8 @@ namespace trident::bridges::mavlink {
 namespace {
 
 using testing::FlownMavlinkVehicle;
+using testing::kNan;
 using testing::kOrigin;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// An item in the world, with its height above home.
 MissionItem item_at(std::uint16_t command, const Eigen::Vector3d& p_m, float param1 = 0.0F) {

@@ -22,6 +22,11 @@ mavlink::MavlinkVehicleOptions options_of(const mavlink::VehicleLinks& links,
   return options;
 }
 
+/// As the shipped descriptions have it.
+const char* imu_topic(mavlink::VehicleKind kind) {
+  return kind == mavlink::VehicleKind::kBoat ? "imu/data" : "imu";
+}
+
 }  // namespace
 
 FleetVehicle::FleetVehicle(const mavlink::VehicleLinks& links, const FleetParts& parts)
@@ -44,7 +49,7 @@ FleetVehicle::FleetVehicle(const mavlink::VehicleLinks& links, const FleetParts&
   output_ = make_setpoint_output(node, links.kind, links.max_thrust_N);
   sensors_ = std::make_unique<VehicleSensors>(
       node, parts.loop,
-      VehicleSensors::Setup{links.odometry, parts.frames, parts.refusals,
+      VehicleSensors::Setup{links.odometry, imu_topic(links.kind), parts.frames, parts.refusals,
                             [this](SimTime stamp) { on_moved(stamp); }});
 }
 
@@ -80,8 +85,8 @@ void FleetVehicle::on_moved(SimTime stamp) {
   const SimTime next{(stamp.ns / period_ns + 1) * period_ns};
   if (output_->is_stamped() && next <= given_) return;
   vehicle_.update(both(now_));
-  setpoint_ = vehicle_.step(stamp, sensors_->state());
   vehicle_.set_readings(sensors_->readings());
+  setpoint_ = vehicle_.step(stamp, sensors_->state());
   publish(next);
 }
 

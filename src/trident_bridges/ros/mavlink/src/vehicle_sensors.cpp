@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "trident_base/angle.h"
 #include "trident_ros/message_checks.h"
 
 namespace trident::bridges {
@@ -35,10 +36,26 @@ std::string odometry_problem(const nav_msgs::Odometry& message) {
 
 VehicleSensors::VehicleSensors(ros::NodeHandle& node, NodePollLoop& loop, Setup setup)
     : setup_(std::move(setup)), topic_(node.resolveName(setup_.odometry)) {
-  subscriptions_.push_back(loop.subscribe<nav_msgs::Odometry>(
-      node, setup_.odometry, kQueueSize, [this](const auto& m) { on_odometry(m); }));
-  subscriptions_.push_back(loop.subscribe<sensor_msgs::BatteryState>(
-      node, "battery", kQueueSize, [this](const auto& m) { on_battery(m); }));
+  listen(node, loop, setup_.odometry, &VehicleSensors::on_odometry);
+  listen(node, loop, "battery", &VehicleSensors::on_battery);
+  listen(node, loop, setup_.imu, &VehicleSensors::on_imu);
+  listen(node, loop, "fix", &VehicleSensors::on_fix);
+  listen(node, loop, "gnss_status", &VehicleSensors::on_gnss_status);
+  listen(node, loop, "wind_reading", &VehicleSensors::on_wind);
+}
+
+template <class Message>
+void VehicleSensors::listen(ros::NodeHandle& node, NodePollLoop& loop, const std::string& topic,
+                            void (VehicleSensors::*handler)(const Message&)) {
+  subscriptions_.push_back(loop.subscribe<Message>(
+      node, topic, kQueueSize, [this, handler](const Message& m) { (this->*handler)(m); }));
+}
+
+/// Counts what is wrong.
+bool VehicleSensors::accept(const std::string& topic, const std::string& problem) {
+  if (problem.empty()) return true;
+  setup_.refusals.note(topic + " refused", topic + " refused: " + problem);
+  return false;
 }
 
 /// False: where the frame lies may still be said.
@@ -58,11 +75,7 @@ bool VehicleSensors::find_frame(const std::string& frame) {
 }
 
 void VehicleSensors::on_odometry(const nav_msgs::Odometry& message) {
-  const std::string problem = odometry_problem(message);
-  if (!problem.empty()) {
-    setup_.refusals.note(topic_ + " refused", topic_ + " refused: " + problem);
-    return;
-  }
+  if (!accept(topic_, odometry_problem(message))) return;
   const SimTime stamp = to_sim(message.header.stamp);
   if (!find_frame(message.header.frame_id)) {
     setup_.moved(stamp);
@@ -88,8 +101,8 @@ void VehicleSensors::on_odometry(const nav_msgs::Odometry& message) {
 void VehicleSensors::on_battery(const sensor_msgs::BatteryState& message) {
   const double charge = message.percentage;
   if (!std::isnan(charge) && !(charge >= 0.0 && charge <= 1.0)) {
-    setup_.refusals.note("battery refused", topic_ + ": battery refused: percentage " +
-                                                std::to_string(charge) + ", legal: [0, 1] or NaN");
+    accept("battery of " + topic_,
+           "percentage " + std::to_string(charge) + ", legal: [0, 1] or NaN");
     return;
   }
   if (batteries_.size() >= kMaxWaiting) batteries_.erase(batteries_.begin());
@@ -104,6 +117,55 @@ void VehicleSensors::take_battery(SimTime now) {
     readings_.current_A = due->current_A;
   }
   batteries_.erase(batteries_.begin(), due);
+}
+
+void VehicleSensors::on_imu(const sensor_msgs::Imu& message) {
+  const auto& f = message.linear_acceleration;
+  const auto& w = message.angular_velocity;
+  std::string problem = ros_utils::point_problem(f.x, f.y, f.z, "linear_acceleration");
+  if (problem.empty()) problem = ros_utils::point_problem(w.x, w.y, w.z, "angular_velocity");
+  if (!accept("IMU of " + topic_, problem)) return;
+  readings_.imu =
+      mavlink::ImuReading{to_sim(message.header.stamp), {f.x, f.y, f.z}, {w.x, w.y, w.z}};
+  vibration_.add(*readings_.imu);
+  readings_.vibration_m_s2 = vibration_.level_m_s2();
+}
+
+void VehicleSensors::on_fix(const sensor_msgs::NavSatFix& message) {
+  mavlink::GnssReading reading = readings_.gnss.value_or(mavlink::GnssReading{});
+  reading.stamp = to_sim(message.header.stamp);
+  reading.has_fix = message.status.status >= sensor_msgs::NavSatStatus::STATUS_FIX;
+  if (reading.has_fix) {
+    std::string problem = ros_utils::number_problem(message.latitude, 90.0, "latitude");
+    if (problem.empty()) problem = ros_utils::number_problem(message.longitude, 180.0, "longitude");
+    if (problem.empty()) problem = ros_utils::number_problem(message.altitude, 1e7, "altitude");
+    if (!accept("fix of " + topic_, problem)) return;
+    reading.place = {message.latitude, message.longitude, message.altitude};
+    reading.horizontal_stddev_m = std::sqrt(std::max(message.position_covariance[0], 0.0));
+    reading.vertical_stddev_m = std::sqrt(std::max(message.position_covariance[8], 0.0));
+  }
+  readings_.gnss = reading;
+}
+
+/// Of a receiver that says more than NavSatFix can hold.
+void VehicleSensors::on_gnss_status(const trident_msgs::GnssStatus& message) {
+  if (!readings_.gnss) return;
+  readings_.gnss->is_rtk_fixed = message.fix_type == trident_msgs::GnssStatus::FIXED;
+  readings_.gnss->is_rtk_float = message.fix_type == trident_msgs::GnssStatus::FLOAT;
+  readings_.gnss->satellites = message.satellites;
+}
+
+/// The bow points into an apparent wind of angle 0, and that of the own motion is part of it.
+void VehicleSensors::on_wind(const trident_msgs::WindReading& message) {
+  std::string problem = ros_utils::number_problem(message.speed, 500.0, "speed");
+  if (problem.empty()) problem = ros_utils::number_problem(message.angle, 7.0, "angle");
+  if (!accept("wind_reading of " + topic_, problem)) return;
+  const double towards = state_.yaw() - message.angle + kPi;
+  Eigen::Vector3d wind(message.speed * std::cos(towards), message.speed * std::sin(towards), 0.0);
+  if (message.reference == trident_msgs::WindReading::RELATIVE) {
+    wind.head<2>() += state_.v_world_m_s.head<2>();
+  }
+  readings_.wind_world_m_s = wind;
 }
 
 }  // namespace trident::bridges

@@ -5,6 +5,10 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <sensor_msgs/BatteryState.h>
+#include <sensor_msgs/Imu.h>
+#include <sensor_msgs/NavSatFix.h>
+#include <trident_msgs/GnssStatus.h>
+#include <trident_msgs/WindReading.h>
 
 #include <functional>
 #include <memory>
@@ -25,11 +29,13 @@ class VehicleSensors {
   /// Where the odometry is, and what hears of it.
   struct Setup {
     std::string odometry;                ///< topic below the vehicle's namespace
+    std::string imu;                     ///< the same
     const StaticFrames& frames;          ///< must outlive this
     ros_utils::Refusals& refusals;       ///< must outlive this
     std::function<void(SimTime)> moved;  ///< there is a newer state, with its stamp
   };
-  /// Subscribes below `node`: the odometry and `battery`.
+  /// Subscribes below `node`: the odometry, the IMU, `battery`, `fix`, `gnss_status` and
+  /// `wind_reading`. It flies by odometry and battery alone; the others are for its clients.
   VehicleSensors(ros::NodeHandle& node, NodePollLoop& loop, Setup setup);
 
   /// Whether somebody publishes the odometry to this node.
@@ -43,6 +49,14 @@ class VehicleSensors {
   void on_odometry(const nav_msgs::Odometry& message);
   void on_battery(const sensor_msgs::BatteryState& message);
   void take_battery(SimTime now);
+  void on_imu(const sensor_msgs::Imu& message);
+  void on_fix(const sensor_msgs::NavSatFix& message);
+  void on_gnss_status(const trident_msgs::GnssStatus& message);
+  void on_wind(const trident_msgs::WindReading& message);
+  template <class Message>
+  void listen(ros::NodeHandle& node, NodePollLoop& loop, const std::string& topic,
+              void (VehicleSensors::*handler)(const Message&));
+  bool accept(const std::string& topic, const std::string& problem);
   bool find_frame(const std::string& frame);
 
   Setup setup_;
@@ -57,6 +71,7 @@ class VehicleSensors {
     double charge, voltage_V, current_A;
   };
   std::vector<WaitingBattery> batteries_;
+  mavlink::VibrationMeter vibration_;
   std::vector<std::unique_ptr<ros_utils::DirectSubscription>> subscriptions_;
 };
 

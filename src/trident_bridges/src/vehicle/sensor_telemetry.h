@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "trident_bridges/vehicle/telemetry.h"
+
+namespace trident::bridges::mavlink {
+
+/// What single sensors say; nullopt: another message, or the vehicle has no such sensor.
+std::optional<Message> sensor_message(std::uint32_t id, const TelemetrySource& source);
+
+}  // namespace trident::bridges::mavlink
