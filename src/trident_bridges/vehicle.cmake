@@ -25,5 +25,10 @@ set_target_properties(mavlink_parameters PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
 install(TARGETS mavlink_parameters RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 trident_bridges_test(vehicle
-  test/vehicle/commands_test.cpp test/vehicle/mavlink_vehicle_test.cpp test/vehicle/targets_test.cpp
-  test/vehicle/telemetry_test.cpp)
+  test/mavlink/packets.cpp
+  test/vehicle/commands_test.cpp
+  test/vehicle/mavlink_vehicle_test.cpp
+  test/vehicle/random_messages_test.cpp
+  test/vehicle/targets_test.cpp
+  test/vehicle/telemetry_test.cpp
+)

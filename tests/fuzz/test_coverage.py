@@ -44,6 +44,7 @@ NO_NODES = {
     "trident_benchmarks/nav_trial": "reads a task from a file; never calls ros::init",
     "trident_eval/fleet_markers.py": "becomes trident_viewer's",
     "trident_eval/hold_at.py": "becomes trident_viewer's",
+    "trident_eval/mavlink_demo.py": "speaks MAVLink to a port; never knows a master",
     "trident_eval/observer.py": "becomes trident_viewer's",
     "trident_eval/overview.py": "becomes trident_viewer's",
     "trident_eval/slam_tour.py": "becomes trident_benchmarks'",

@@ -104,7 +104,10 @@ void MessageStreams::set_rate(Stream& stream, double rate_hz, SimTime now) {
 
 void MessageStreams::update(SimTime now) {
   for (auto& [id, stream] : streams_) {
-    if (stream.period_ns == 0 || now < stream.due) continue;
+    if (stream.period_ns == 0) continue;
+    const bool is_set_back = (stream.due - now).ns > stream.period_ns;
+    if (now < stream.due && !is_set_back) continue;
+    if (is_set_back) stream.due = now;
     emit_(id);
     stream.due = stream.due + SimTime{stream.period_ns};
     // After a pause nothing is made up for.

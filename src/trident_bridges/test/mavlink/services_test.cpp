@@ -124,6 +124,13 @@ TEST(MessageStreams, AMessageIsSentOnceWhenRequested) {
   EXPECT_FALSE(vehicle.streams.execute(request, vehicle.now));
 }
 
+TEST(MessageStreams, AfterTimeWasSetBackTheyContinue) {
+  Streams vehicle;
+  vehicle.run(10.0);
+  vehicle.now = {};
+  EXPECT_EQ(vehicle.run(2.0)[MAVLINK_MSG_ID_ATTITUDE], 50);
+}
+
 TEST(MessageStreams, AfterAPauseNothingIsMadeUpFor) {
   Streams vehicle;
   vehicle.run(1.0);

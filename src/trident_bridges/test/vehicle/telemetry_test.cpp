@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "trident_base/angle.h"
 #include "trident_bridges/mavlink/dialect.h"
 #include "vehicle/ground_station.h"
 

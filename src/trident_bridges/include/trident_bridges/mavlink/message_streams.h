@@ -33,7 +33,7 @@ class MessageStreams {
   MessageStreams(Address self, MessageSink send, const std::vector<StreamRate>& defaults,
                  std::function<bool(std::uint32_t id)> emit);
 
-  /// Has all messages sent that are due.
+  /// Has all messages sent that are due. Time may be set back.
   void update(SimTime now);
   /// True when the message is a REQUEST_DATA_STREAM for this vehicle.
   bool handle(const Message& message, SimTime now);
