@@ -97,6 +97,7 @@ Setpoint Autopilot::step(SimTime now, const VehicleState& state) {
     return setpoint_ = Setpoint();
   }
   advance(now);
+  drive_.expire(state_, now);
   setpoint_ = flies() ? flight_.step(now, state_) : drive_.setpoint();
   if (flies()) end_landing(now);
   return setpoint_;

@@ -271,7 +271,7 @@ Answer Autopilot::set_target(const Target& target, SimTime stamp, SimTime now) {
   }
   if (!is_armed_) return refused("set-point: the vehicle is disarmed, it must be armed");
   if (!flies()) {
-    drive_.follow(target, state_);
+    drive_.follow(target, state_, now);
     return {};
   }
   // ArduPilot's copter leaves the ground by a take-off alone.

@@ -14,34 +14,44 @@ using Kind = Setpoint::Kind;
 
 constexpr double kTurnGain_per_s = 1.5;  // from an error in heading to a rate of turn
 constexpr double kStickTurn_rad_s = 1.0;
+constexpr double kDriveLasts_s = 3.0;  // of ArduPilot's Rover in GUIDED
 
 }  // namespace
+
+void DriveGuide::begin(Kind kind) {
+  setpoint_ = {};
+  setpoint_.kind = kind;
+  is_followed_velocity_ = false;
+}
 
 void DriveGuide::go_to(const Eigen::Vector3d& p_m, const VehicleState& state) {
   const bool follows_leg = setpoint_.kind == Kind::kLeg;
   const Eigen::Vector3d from = follows_leg ? setpoint_.p_m : state.p_world_m;
-  setpoint_ = {};
-  setpoint_.kind = Kind::kLeg;
+  begin(Kind::kLeg);
   setpoint_.p_from_m = from;
   setpoint_.p_m = p_m;
   setpoint_.speed_m_s = limits_.speed_m_s;
 }
 
 void DriveGuide::stop(const VehicleState& state) {
-  setpoint_ = {};
-  setpoint_.kind = Kind::kStation;
+  begin(Kind::kStation);
   setpoint_.p_m = state.p_world_m;
   setpoint_.yaw = state.yaw();
 }
 
-void DriveGuide::follow(const Target& target, const VehicleState& state) {
+void DriveGuide::expire(const VehicleState& state, SimTime now) {
+  if (is_followed_velocity_ && (now - followed_).seconds() > kDriveLasts_s) stop(state);
+}
+
+void DriveGuide::follow(const Target& target, const VehicleState& state, SimTime now) {
   if (target.p_m) {
     const bool is_same = setpoint_.kind == Kind::kLeg && (setpoint_.p_m - *target.p_m).norm() < 0.1;
     if (!is_same) go_to(*target.p_m, state);
     return;
   }
-  setpoint_ = {};
-  setpoint_.kind = Kind::kDrive;
+  begin(Kind::kDrive);
+  is_followed_velocity_ = true;
+  followed_ = now;
   if (target.v_m_s) {
     const Eigen::Vector2d v = target.v_m_s->head<2>();
     const double error = angle_difference(std::atan2(v.y(), v.x()), state.yaw());
@@ -53,8 +63,7 @@ void DriveGuide::follow(const Target& target, const VehicleState& state) {
 }
 
 void DriveGuide::take_sticks(const Sticks& sticks) {
-  setpoint_ = {};
-  setpoint_.kind = Kind::kDrive;
+  begin(Kind::kDrive);
   // A ground station moves either of the two for "ahead": pitch of a joystick, throttle of a
   // transmitter, whose middle stands.
   const double throttle = 2.0 * (sticks.throttle - 0.5);

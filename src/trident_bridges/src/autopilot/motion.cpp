@@ -15,8 +15,8 @@ double smooth(double u) { return u * u * (3.0 - 2.0 * u); }
 double smooth_slope(double u) { return 6.0 * u * (1.0 - u); }
 double smooth_integral(double u) { return u * u * u * (1.0 - 0.5 * u); }
 
-/// Time for a change of velocity by `dv`, acceleration never above `a`.
-double change_time(double dv, double a) { return kSteepest * dv / a; }
+/// Time of a line's ramp up to a speed, acceleration never above `a`.
+double ramp_time(double speed, double a) { return kSteepest * speed / a; }
 
 /// Speed that the limits allow along a direction.
 double speed_along(const Eigen::Vector3d& direction, const MotionLimits& limits) {
@@ -69,7 +69,7 @@ void Motion::set_velocity(const Eigen::Vector3d& v_m_s, const MotionLimits& limi
   stop_at(present.p_m, now);
   v_begin_ = present.v_m_s;
   v_end_ = v_m_s;
-  change_s_ = change_time((v_end_ - v_begin_).norm(), limits.a_m_s2);
+  change_s_ = (v_end_ - v_begin_).norm() / limits.a_m_s2;
 }
 
 void Motion::brake(const MotionLimits& limits, SimTime now) {
@@ -84,7 +84,7 @@ void Motion::go_to(const Eigen::Vector3d& goal_m, const MotionLimits& limits, Si
   line_ = line / length;
   // A ramp of the cubic covers half of speed times its time: the two alone are the whole line.
   line_m_s_ = std::min(speed_along(line_, limits), std::sqrt(length * limits.a_m_s2 / kSteepest));
-  ramp_s_ = change_time(line_m_s_, limits.a_m_s2);
+  ramp_s_ = ramp_time(line_m_s_, limits.a_m_s2);
   cruise_s_ = std::max(0.0, length / line_m_s_ - ramp_s_);
 }
 
@@ -93,11 +93,11 @@ Reference Motion::at(SimTime now) const {
   Reference result;
   const double u = change_s_ > 0.0 ? std::min(1.0, t / change_s_) : 1.0;
   const Eigen::Vector3d change = v_end_ - v_begin_;
-  result.v_m_s = v_begin_ + change * smooth(u);
+  result.v_m_s = v_begin_ + change * u;
   const double within = std::min(t, change_s_);
-  result.p_m = p_begin_ + v_begin_ * within + change * (change_s_ * smooth_integral(u)) +
+  result.p_m = p_begin_ + v_begin_ * within + change * (0.5 * change_s_ * u * u) +
                v_end_ * (t - within);
-  if (change_s_ > 0.0 && u < 1.0) result.a_m_s2 = change * (smooth_slope(u) / change_s_);
+  if (change_s_ > 0.0 && u < 1.0) result.a_m_s2 = change / change_s_;
   const LinePart part = along_line(t, ramp_s_, cruise_s_, line_m_s_);
   result.p_m += line_ * part.s_m;
   result.v_m_s += line_ * part.v_m_s;

@@ -64,14 +64,26 @@ TEST(Motion, IsContinuousUnderAnyOrderOfCommands) {
   }
 }
 
+TEST(Motion, AVelocityThatComesAgainAndAgainIsReachedAsSoonAsOneThatComesOnce) {
+  const MotionLimits limits;
+  Motion once, often;
+  once.set_velocity({2.0, 0.0, 0.0}, limits, {});
+  const SimTime end = SimTime::from_seconds(1.0);
+  for (SimTime now; now <= end; now = now + SimTime{20'000'000}) {
+    often.set_velocity({2.0, 0.0, 0.0}, limits, now);
+  }
+  EXPECT_NEAR(often.at(end).v_m_s.x(), 2.0, 1e-9);
+  EXPECT_NEAR(once.at(end).p_m.x(), often.at(end).p_m.x(), 1e-6);
+}
+
 TEST(Motion, BrakesWithinItsAcceleration) {
   Motion motion;
   motion.stop_at({0, 0, 0}, at(0));
   motion.set_velocity({4, 0, 0}, kLimits, at(0));
   ASSERT_TRUE(motion.is_settled(at(5)));
   motion.brake(kLimits, at(5));
-  EXPECT_TRUE(motion.is_at_rest(at(5 + 1.5 * 4 / 2.0 + 0.01)));
-  EXPECT_NEAR((motion.goal(at(5)) - motion.at(at(5)).p_m).x(), 0.5 * 4 * (1.5 * 4 / 2.0), 1e-9);
+  EXPECT_TRUE(motion.is_at_rest(at(5 + 4 / 2.0 + 0.01)));
+  EXPECT_NEAR((motion.goal(at(5)) - motion.at(at(5)).p_m).x(), 0.5 * 4 * (4 / 2.0), 1e-9);
 }
 
 TEST(SetpointStream, FindsVelocityAndAccelerationOfACircle) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "autopilot/obedient_body.h"
+#include "trident_bridges/autopilot/drive_guide.h"
 
 namespace trident::bridges {
 namespace {
@@ -67,6 +68,20 @@ TEST(RoverSteering, AStationAndADisarmedVehicleAreAtRest) {
     EXPECT_EQ(drive.speed_m_s, 0.0);
     EXPECT_EQ(drive.yaw_rate, 0.0);
   }
+}
+
+TEST(DriveGuide, AVelocityLastsForThreeSeconds) {
+  DriveGuide guide;
+  Target target;
+  target.v_m_s = Eigen::Vector3d(1.0, 0.0, 0.0);
+  guide.follow(target, {}, SimTime::from_seconds(1.0));
+  guide.expire({}, SimTime::from_seconds(4.0));
+  EXPECT_EQ(guide.setpoint().kind, Setpoint::Kind::kDrive);
+  guide.expire({}, SimTime::from_seconds(4.1));
+  EXPECT_EQ(guide.setpoint().kind, Setpoint::Kind::kStation);
+  guide.take_sticks({});
+  guide.expire({}, SimTime::from_seconds(100.0));
+  EXPECT_EQ(guide.setpoint().kind, Setpoint::Kind::kDrive);
 }
 
 }  // namespace

@@ -20,9 +20,12 @@ class DriveGuide {
   /// Stays where it is.
   void stop(const VehicleState& state);
   /// Stands without holding a place: no motor turns.
-  void rest() { setpoint_ = {}; }
-  /// A companion computer's set-point: a place, or a velocity of the world.
-  void follow(const Target& target, const VehicleState& state);
+  void rest() { begin(Setpoint::Kind::kIdle); }
+  /// A companion computer's set-point: a place, or a velocity of the world, which lasts for 3 s, as
+  /// ArduPilot has it.
+  void follow(const Target& target, const VehicleState& state, SimTime now);
+  /// Stops where no velocity has come for too long.
+  void expire(const VehicleState& state, SimTime now);
   /// A pilot's sticks: speed ahead and turn.
   void take_sticks(const Sticks& sticks);
   /// What is to be done.
@@ -31,8 +34,12 @@ class DriveGuide {
   bool has_arrived(const VehicleState& state, double radius_m) const;
 
  private:
+  void begin(Setpoint::Kind kind);
+
   AutopilotLimits limits_;
   Setpoint setpoint_;
+  SimTime followed_;  // when the newest velocity came
+  bool is_followed_velocity_ = false;
 };
 
 }  // namespace trident::bridges
