@@ -95,8 +95,8 @@ Reference Motion::at(SimTime now) const {
   const Eigen::Vector3d change = v_end_ - v_begin_;
   result.v_m_s = v_begin_ + change * u;
   const double within = std::min(t, change_s_);
-  result.p_m = p_begin_ + v_begin_ * within + change * (0.5 * change_s_ * u * u) +
-               v_end_ * (t - within);
+  result.p_m =
+      p_begin_ + v_begin_ * within + change * (0.5 * change_s_ * u * u) + v_end_ * (t - within);
   if (change_s_ > 0.0 && u < 1.0) result.a_m_s2 = change / change_s_;
   const LinePart part = along_line(t, ramp_s_, cruise_s_, line_m_s_);
   result.p_m += line_ * part.s_m;
