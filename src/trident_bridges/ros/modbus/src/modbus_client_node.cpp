@@ -18,7 +18,7 @@ ModbusClientNode::ModbusClientNode(ros::NodeHandle& node, NodePollLoop& loop,
                  ROS_INFO("%s: unit %d %s", link_->name().c_str(), map_.spec.unit,
                           answers ? "answers" : "does not answer");
                }}),
-      ticker_(loop, 1.0 / map_.spec.poll, [this] { poll(); }) {
+      ticker_(node, loop, 1.0 / map_.spec.poll, [this] { poll(); }) {
   open(node, params);
 }
 

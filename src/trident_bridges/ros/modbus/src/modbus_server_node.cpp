@@ -27,7 +27,7 @@ ModbusServerNode::ModbusServerNode(ros::NodeHandle& node, NodePollLoop& loop,
                  }
                },
                [this](const std::string& kind, const std::string& text) { note(kind, text); }}),
-      ticker_(loop, kUpdateEvery_s, [this] {
+      ticker_(node, loop, kUpdateEvery_s, [this] {
         server_.update(now_s());
         outputs_->publish();
       }) {

@@ -15,7 +15,7 @@ namespace trident::bridges::modbus {
 /// the process's exit code; an Error is logged.
 template <class Node>
 int run_modbus_node(int argc, char** argv, const char* name) {
-  ros::init(argc, argv, name);
+  init_node(argc, argv, name);
   ros::NodeHandle node;
   try {
     ros_utils::NodeParams params(ros::NodeHandle("~"));
