@@ -32,6 +32,8 @@ def test_help_is_a_success(argv: list[str], capsys: pytest.CaptureFixture[str]) 
         (["bench"], "the following arguments are required: BENCHMARK"),
         (["bench", "sim", "--fast"], "bench: unknown option '--fast'"),
         (["bench", "sim", "--runs", "0"], "argument --runs: 0 is not legal; legal: >= 1"),
+        (["modbus"], "the following arguments are required: COMMAND"),
+        (["modbus", "see"], "invalid choice: 'see'"),
         (["build", "-j", "many"], "invalid int value: 'many'"),
     ],
 )
@@ -53,6 +55,7 @@ def test_a_wrong_command_line_is_one_line_and_exit_code_2(
         ("bench vessels", "--quick --out --only"),
         ("bench slam", "--quick --runs --method --config --data --live --robustness --world"),
         ("bench posegraph", "--runs --quick --out --gtsam-python"),
+        ("modbus watch", "--map --unit --seconds --once --allow-remote"),
         ("report", "--out --animate"),
         ("slam", "--method --config --out --relations --truth --no-pictures"),
         ("evaluate", "--relations --truth --align --map --true-map --out --no-pictures"),

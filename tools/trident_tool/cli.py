@@ -19,6 +19,7 @@ from trident_tool.formation import add_formation_commands
 from trident_tool.links import add_links_command
 from trident_tool.lint import CHECKS, run_checks
 from trident_tool.mavlink.command import add_mavlink_command
+from trident_tool.modbus import add_modbus_command
 from trident_tool.navigation import add_navigation_commands
 from trident_tool.needed_packages import targets_of_launch
 from trident_tool.nmea import add_nmea_command
@@ -59,6 +60,7 @@ COMMANDS = (
     "links",
     "nmea",
     "latency",
+    "modbus",
     "posegraph",
     "mavlink",
     "worldmap",
@@ -194,6 +196,7 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
     _add_view(add)
     add_links_command(add)
     add_nmea_command(add)
+    add_modbus_command(add)
 
     sub = add("shell", _cmd_shell, "a shell in which the workspace is sourced")
     sub.add_argument("-c", dest="command", metavar="COMMAND", help="run this instead")

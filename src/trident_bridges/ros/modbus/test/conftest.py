@@ -25,7 +25,7 @@ __all__ = ["pytest_runtest_makereport", "ros", "session_ros"]
 
 @pytest.fixture
 def publish(ros: Ros) -> Iterator[Callable[[str, Any], None]]:
-    """Publishes a message on a topic, which whoever subscribes gets until the test ends."""
+    """Publishes a message on a topic, for all who subscribe until the test ends."""
     del ros
     publishers: dict[str, Any] = {}
     with ExitStack() as stack:
