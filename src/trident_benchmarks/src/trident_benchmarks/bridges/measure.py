@@ -27,7 +27,6 @@ from trident_benchmarks.results import (
     write_document,
 )
 
-_WINDOW = 256  # messages on their path at once, for throughput
 _FIRST = 50  # messages before anything is measured
 _WARM_UP = 100  # messages that do not count
 _LIMIT_S = 180.0
@@ -73,7 +72,7 @@ def _run(row: BridgeRow, processes: Processes, count: int, rate: float) -> Laten
     probe = program("trident_bridges", "latency_probe")
     words = ["--record", str(record), "--message", row.message]
     sent = ["--count", str(count + _WARM_UP), "--size", str(row.size), "--rate", str(rate)]
-    sent += ["--window", str(_WINDOW), "--topic", SOURCE_TOPIC]
+    sent += ["--window", str(row.window), "--topic", SOURCE_TOPIC]
     sink = processes.start("sink", [probe, "sink", *words, "--topic", SINK_TOPIC])
     source = processes.start("source", [probe, "source", *words, *sent])
     processes.finish("source", source, _LIMIT_S)
