@@ -35,6 +35,8 @@ from trident_eval.core.missions import Mission, judge_missions, read_missions, r
 from trident_eval.core.nmea import add_nmea, read_nmea
 from trident_eval.core.nmea_plots import draw_nmea
 from trident_eval.core.page import Report, page
+from trident_eval.core.plc import judge_plc, read_plc
+from trident_eval.core.plc_plots import draw_plc
 from trident_eval.core.plots import draw_all
 from trident_eval.core.provenance import Provenance, read_object, read_provenance
 from trident_eval.core.radio_verdict import add_links
@@ -182,6 +184,9 @@ def _judge_folder(folder: Path) -> tuple[Scene, Verdict]:
     if missions := read_missions(folder):
         scene = Scene(folder.resolve().name, tracks.select([mission.name for mission in missions]))
         return scene, judge_missions(tracks, missions, read_object(folder / "run.json"))
+    if plc := read_plc(folder):
+        scene = Scene(folder.resolve().name, tracks.select([plc.vessel]))
+        return scene, judge_plc(tracks, plc, read_object(folder / "run.json"))
     command = read_command(folder)
     verdict = judge(tracks, command, read_object(folder / "run.json"))
     title = folder.resolve().name
@@ -209,6 +214,8 @@ def _draw_scene(scene: Scene, source: Path, folder: Path) -> list[Path]:
     pictures = draw_all(scene, folder)
     if source.is_dir() and (missions := _missions(source)):
         pictures = draw_missions(scene.tracks, missions, scene.title, folder) + pictures
+    if source.is_dir() and (plc := read_plc(source)):
+        pictures = draw_plc(scene.tracks, plc, scene.title, folder) + pictures
     if (folder / ANIMATION).is_file():
         pictures.insert(0, folder / ANIMATION)
     return pictures

@@ -56,6 +56,7 @@ def verdict_rows(verdict: dict[str, Any]) -> list[Row]:
     shown += [_nmea_row(numbers) for numbers in verdict.get("nmea") or []]
     commanded: dict[str, dict[str, Any]] = verdict.get("commanded") or {}
     shown += [_commanded_row(name, numbers) for name, numbers in commanded.items()]
+    shown += _plc_rows(verdict["plc"]) if verdict.get("plc") else []
     shown += [_relay_row(numbers) for numbers in verdict.get("relay") or []]
     return shown + [_call_row(numbers) for numbers in verdict.get("calls") or []]
 
@@ -123,6 +124,30 @@ def _commanded_row(name: str, numbers: dict[str, Any]) -> Row:
         and not numbers["refusals"]
     )
     return Row(name, value, f"all, within {_text(numbers['radius_m'], 'm')}", is_satisfied)
+
+
+def _plc_rows(numbers: dict[str, Any]) -> list[Row]:
+    """What went through a PLC's registers."""
+
+    def row(label: str, counts: tuple[str, str], worst: str, unit: str, limit: float) -> Row:
+        done, total = numbers[counts[0]], numbers[counts[1]]
+        value, most = f"{done} of {total}", numbers[worst]
+        if most is not None:
+            value += f", within {_text(most, unit)}"
+        is_satisfied = total > 0 and done == total and (most or 0.0) <= limit
+        return Row(label, value, f"all, within {_text(limit, unit)}", is_satisfied)
+
+    arrived, stopped = ("commands_arrived", "commands"), ("stopped", "silences")
+    return [
+        row("commands arrived", arrived, "delay_max_s", "s", numbers["delay_limit_s"]),
+        row("stopped in silence", stopped, "stopped_after_max_s", "s", numbers["stopped_limit_s"]),
+        Row(
+            "commands beyond limits",
+            f"{numbers['illegal_arrived']} of {numbers['illegal_commands']} arrived",
+            "none",
+            numbers["illegal_arrived"] == 0,
+        ),
+    ]
 
 
 def _relay_row(numbers: dict[str, Any]) -> Row:
