@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // modbus_benchmark codec              what a request and its response cost, by CPU time
-// modbus_benchmark tcp SECONDS WINDOW 125 registers read again and again over TCP on loopback, by two processes
+// modbus_benchmark tcp SECONDS WINDOW 125 registers read again and again over TCP on loopback, by
+// two processes
 //
 // Prints lines "NAME VALUE".
 #include <signal.h>
