@@ -74,6 +74,13 @@ class DirectInbox {
     const std::uint64_t id = add({std::move(handler), {}, nullptr, false});
     return subscribed(node, id, raw_subscription<Message>(topic, queue_size, putter(id), &queue_));
   }
+  /// The same for a type that is known only when the program runs.
+  std::unique_ptr<DirectSubscription> subscribe(ros::NodeHandle& node, const std::string& topic,
+                                                std::uint32_t queue_size, const MessageType& type,
+                                                Handler handler) {
+    const std::uint64_t id = add({std::move(handler), {}, nullptr, false});
+    return subscribed(node, id, raw_subscription(topic, queue_size, type, putter(id), &queue_));
+  }
   /// The same, and objects of publishers in this process come as they are.
   template <typename Message>
   std::unique_ptr<DirectSubscription> subscribe(ros::NodeHandle& node, const std::string& topic,

@@ -58,18 +58,34 @@ class ObjectSubscriptionHelper : public RawSubscriptionHelper {
   ObjectHandler on_object_;
 };
 
-/// Options of a subscription to `Message` whose bytes go to `handler`. TCP_NODELAY is asked for:
+/// A type of messages that is known only when the program runs.
+struct MessageType {
+  std::string name;    ///< "std_msgs/Float64", which the master is given
+  std::string md5sum;  ///< of its definition; "*": publishers of any type are heard
+};
+
+/// Options of a subscription to a type whose bytes go to `handler`. TCP_NODELAY is asked for:
 /// without it every other message of a publisher waits for an acknowledgement (up to 40 ms).
-template <typename Message>
-ros::SubscribeOptions raw_subscription(const std::string& topic, std::uint32_t queue_size,
-                                       RawSubscriptionHelper::Handler handler,
-                                       ros::CallbackQueueInterface* queue) {
-  ros::SubscribeOptions options(topic, queue_size, ros::message_traits::md5sum<Message>(),
-                                ros::message_traits::datatype<Message>());
+inline ros::SubscribeOptions raw_subscription(const std::string& topic, std::uint32_t queue_size,
+                                              const MessageType& type,
+                                              RawSubscriptionHelper::Handler handler,
+                                              ros::CallbackQueueInterface* queue) {
+  ros::SubscribeOptions options(topic, queue_size, type.md5sum, type.name);
   options.helper = boost::make_shared<RawSubscriptionHelper>(std::move(handler));
   options.callback_queue = queue;
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   return options;
+}
+
+/// The same for a type that is known to the compiler.
+template <typename Message>
+ros::SubscribeOptions raw_subscription(const std::string& topic, std::uint32_t queue_size,
+                                       RawSubscriptionHelper::Handler handler,
+                                       ros::CallbackQueueInterface* queue) {
+  return raw_subscription(topic, queue_size,
+                          {ros::message_traits::datatype<Message>(),
+                           ros::message_traits::md5sum<Message>()},
+                          std::move(handler), queue);
 }
 
 /// The same, and publishers in this process hand their objects to `on_object`.

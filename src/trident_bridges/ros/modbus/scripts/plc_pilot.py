@@ -30,7 +30,7 @@ def check_plan(plan: Any) -> list[list[float]]:
     """The plan as numbers.
 
     Raises:
-        ValueError: it is none.
+        ValueError: it is not one.
     """
     try:
         rows = [[float(value) for value in row] for row in plan]

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_bridges_ros/modbus/topic_inputs.h"
 
-#include <topic_tools/shape_shifter.h>
-
 #include <map>
 #include <utility>
 
@@ -23,8 +21,10 @@ class TopicInputs::Topic {
   Topic(ros::NodeHandle& node, Context& context, std::vector<TopicBinding> bindings)
       : context_(context), bindings_(std::move(bindings)) {
     name_ = node.resolveName(bindings_[0].topic);
-    subscription_ = context_.loop.subscribe_bytes<topic_tools::ShapeShifter>(
-        node, name_, kQueueSize, [this](Span<const std::uint8_t> bytes) { receive(bytes); });
+    // Publishers of any type are heard, so that one of a wrong type is named with the map's line.
+    subscription_ = context_.loop.subscribe_bytes(
+        node, name_, kQueueSize, {bindings_[0].message, "*"},
+        [this](Span<const std::uint8_t> bytes) { receive(bytes); });
   }
 
   const std::string& name() const { return name_; }

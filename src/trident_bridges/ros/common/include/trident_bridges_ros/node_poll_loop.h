@@ -74,6 +74,13 @@ class NodePollLoop {
     return inbox_.subscribe<Message>(node, topic, queue_size, std::move(handler));
   }
 
+  /// The same for a type that is known only when the program runs.
+  std::unique_ptr<ros_utils::DirectSubscription> subscribe_bytes(
+      ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
+      const ros_utils::MessageType& type, ros_utils::DirectInbox::Handler handler) {
+    return inbox_.subscribe(node, topic, queue_size, type, std::move(handler));
+  }
+
   /// With /use_sim_time: ros::Time::now() follows /clock from now on, and `handler` is called with
   /// each time. Otherwise nothing happens, and false is returned.
   bool follow_clock(ros::NodeHandle& node, std::function<void(const ros::Time&)> handler);
