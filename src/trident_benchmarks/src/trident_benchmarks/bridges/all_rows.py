@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from trident_benchmarks.bridges.rows import ROWS as COMPARED_ROWS
+from trident_benchmarks.bridges.rows_modbus import MODBUS_ROWS
 from trident_benchmarks.bridges.rows_nmea import NMEA_ROWS
 
-ROWS = (*COMPARED_ROWS, *NMEA_ROWS)
+ROWS = (*COMPARED_ROWS, *MODBUS_ROWS, *NMEA_ROWS)

@@ -2,14 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The rows of `./trident bench bridges`: which two processes stand between source and sink.
 
-A protocol adds one BridgeRow to ROWS: how its two nodes are started, and which messages they carry.
+A protocol has a BridgeRow in a file of its own, which all_rows.py names: how its two nodes are
+started, and which messages they carry.
 """
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -51,6 +50,7 @@ class BridgeRow(NamedTuple):
         mbit_s_limit: throughput that is asked, of wire_bytes; None: nothing.
         window: messages on their path at once, for throughput; 1: a protocol that carries the
             newest value only.
+        bulk: messages, for throughput.
     """
 
     name: str
@@ -64,30 +64,7 @@ class BridgeRow(NamedTuple):
     p99_limit_ms: float | None = None
     mbit_s_limit: float | None = None
     window: int = 256
-
-
-def _modbus_nodes() -> list[Node]:
-    """A device whose 100 registers are polled at 1 kHz."""
-    registers = "\n".join(
-        [
-            "registers:",
-            "  - {name: number, table: input, address: 0, type: float32, topic: number}",
-            "  - {name: rest, table: input, address: 2, count: 98}",
-        ]
-    )
-    folder = Path(tempfile.mkdtemp(prefix="trident_modbus_"))
-    map_file = folder / "map.yaml"
-    transport = f"transport: {{kind: tcp, port: {free_port()}}}"
-    map_file.write_text(f"poll: 1000.0\n{transport}\n{registers}\n", encoding="utf-8")
-    return [
-        _modbus_node("server", map_file, SOURCE_TOPIC),
-        _modbus_node("client", map_file, SINK_TOPIC),
-    ]
-
-
-def _modbus_node(role: str, map_file: Path, topic: str) -> Node:
-    command = [program("trident_bridges", f"modbus_{role}_node"), f"number:={topic}"]
-    return Node(f"modbus_{role}", [*command, f"_map:={map_file}"])
+    bulk: int = 200_000
 
 
 def _probe(part: str, *words: str) -> list[str]:
@@ -123,15 +100,4 @@ def _udp_bridge(name: str, url: str, topic_in: str, topic_out: str) -> Node:
 ROWS = (
     BridgeRow("roscpp relays", "ros", "bytes", 280, _relays),
     BridgeRow("bytes over UDP", "udp", "bytes", 280, _udp_bridges),
-    BridgeRow(
-        "Modbus 100 registers polled at 1 kHz",
-        "modbus",
-        message="float32",
-        wire_bytes=200,
-        nodes=_modbus_nodes,
-        rate=100.0,
-        median_limit_ms=0.9,
-        p99_limit_ms=2.5,
-        window=1,
-    ),
 )
