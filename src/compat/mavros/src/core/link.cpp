@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/link.h"
+
+#include <utility>
+
+#include "trident_base/sim_time.h"
+#include "trident_bridges/transport/url.h"
+
+namespace trident::mavros {
+namespace {
+
+using bridges::Bytes;
+using bridges::EndpointKind;
+using bridges::PeerId;
+using bridges::mavlink::RouterPeer;
+
+constexpr RouterPeer kThisNode = 0;
+constexpr RouterPeer kEnds = 2;  // numbers of the peers of both ends alternate
+constexpr std::uint16_t kVehiclesPort = 14555, kStationsPort = 14550;
+constexpr double kLook_s = 1.0;
+
+/// Numbers that no two peers of the router share.
+RouterPeer router_peer(std::size_t end, PeerId peer) {
+  return 1 + peer * kEnds + static_cast<RouterPeer>(end);
+}
+
+bool has_datagrams(const std::string& url) {
+  const EndpointKind kind = bridges::parse_endpoint_url(url).kind;
+  return kind == EndpointKind::kUdp || kind == EndpointKind::kUdpBroadcast ||
+         kind == EndpointKind::kUdpPermanentBroadcast;
+}
+
+SimTime wall_time(const bridges::PollLoop& loop) { return SimTime::from_seconds(loop.now_s()); }
+
+bridges::mavlink::RouterOptions router_options() {
+  bridges::mavlink::RouterOptions options;
+  options.accept_mavlink1 = true;
+  return options;
+}
+
+}  // namespace
+
+Link::Link(const LinkOptions& options, bridges::PollLoop& loop, Events events)
+    : loop_(loop),
+      events_(std::move(events)),
+      router_(
+          router_options(), [this](RouterPeer peer, Bytes packet) { pass_on(peer, packet); },
+          events_.warning),
+      parser_(true) {
+  router_.add_peer(kThisNode, "this node");
+  open(options.fcu_url, options.allow_remote, loop);
+  if (!options.gcs_url.empty()) open(options.gcs_url, options.allow_remote, loop);
+  forget_silent_ids(loop);
+}
+
+Link::~Link() { loop_.cancel(next_look_); }
+
+void Link::open(const std::string& url, bool allow_remote, bridges::PollLoop& loop) {
+  const std::size_t number = ends_.size();
+  const bool is_datagram = has_datagrams(url);
+  bridges::EndpointOptions options;
+  options.url = url;
+  options.allow_remote = allow_remote;
+  options.default_bind_port = kVehiclesPort;
+  options.default_port = kStationsPort;
+  ends_.push_back(std::make_unique<End>());
+  End& end = *ends_.back();
+  bridges::EndpointEvents events;
+  events.received = [this, number, is_datagram](PeerId peer, Bytes bytes) {
+    router_.receive(router_peer(number, peer), bytes, is_datagram, wall_time(loop_));
+    hear();
+  };
+  events.joined = [this, number, &end](PeerId peer, const std::string& address) {
+    if (router_.add_peer(router_peer(number, peer), address)) ++end.peers;
+  };
+  events.left = [this, number, &end](PeerId peer, const std::string& reason) {
+    router_.remove_peer(router_peer(number, peer));
+    if (end.peers > 0) --end.peers;
+    events_.warning(end.endpoint->name() + ": " + reason);
+  };
+  events.warning = events_.warning;
+  end.endpoint = bridges::open_endpoint(options, loop, std::move(events));
+}
+
+void Link::forget_silent_ids(bridges::PollLoop& loop) {
+  router_.update(wall_time(loop));
+  next_look_ = loop.call_after(kLook_s, [this] { forget_silent_ids(loop_); });
+}
+
+void Link::pass_on(RouterPeer peer, Bytes packet) {
+  if (peer != kThisNode) {
+    const RouterPeer number = peer - 1;
+    ends_[number % kEnds]->endpoint->send(number / kEnds, packet);
+    return;
+  }
+  inbox_.insert(inbox_.end(), packet.begin(), packet.end());
+}
+
+void Link::hear() {
+  const std::vector<std::uint8_t> packets = std::exchange(inbox_, {});
+  parser_.feed_datagram(bridges::Bytes(packets));
+  while (const auto found = parser_.next()) events_.received(*found);
+}
+
+void Link::send(const Message& message) { send_packet(writer_.write(message)); }
+
+void Link::send_packet(Bytes packet) { router_.receive(kThisNode, packet, true, wall_time(loop_)); }
+
+}  // namespace trident::mavros

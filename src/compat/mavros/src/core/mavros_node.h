@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ros/ros.h>
+
+#include <memory>
+#include <vector>
+
+#include "core/mavros_params.h"
+#include "core/packet_topics.h"
+#include "core/plugin.h"
+#include "core/ros_side.h"
+#include "core/vehicle_side.h"
+#include "trident_bridges_ros/node_poll_loop.h"
+
+namespace trident::mavros {
+
+/// mavros_node: a vehicle that speaks MAVLink, as topics and services below the node's name.
+class MavrosNode {
+ public:
+  /// Opens the link and makes the plugins; `loop` must outlive it. Throws Error naming a parameter
+  /// or a URL.
+  MavrosNode(const ros::NodeHandle& private_node, bridges::NodePollLoop& loop,
+             const MavrosParams& params)
+      : params_(params),
+        ros_(private_node, loop),
+        vehicle_(params_, loop.loop()),
+        hub_{ros_, vehicle_, params_, {}},
+        packets_(vehicle_, loop) {
+    follow_attitude(hub_);
+    plugins_ = make_plugins(hub_);
+    constexpr double kTick_s = 0.05;
+    ros_.every(kTick_s, [this] { vehicle_.tick(); });
+  }
+
+  std::size_t plugins() const { return plugins_.size(); }  ///< that are loaded
+
+ private:
+  MavrosParams params_;
+  RosSide ros_;
+  VehicleSide vehicle_;
+  Hub hub_;
+  PacketTopics packets_;
+  std::vector<std::unique_ptr<Plugin>> plugins_;
+};
+
+}  // namespace trident::mavros

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/mavros_params.h"
+
+#include <algorithm>
+
+#include "trident_base/error.h"
+#include "trident_base/string_util.h"
+
+namespace trident::mavros {
+namespace {
+
+/// "0.0003490659 // 0.02 degrees" is text for YAML, and a number for those who wrote it.
+void drop_comment(ConfigNode& node) {
+  const std::size_t at = node.scalar.find(" //");
+  if (node.kind != ConfigNode::Kind::kScalar || at == std::string::npos) return;
+  node.scalar.erase(at);
+  node.quoted = false;
+}
+
+/// One voltage becomes a list of one.
+void make_list(ConfigNode& node) {
+  if (node.kind != ConfigNode::Kind::kScalar) return;
+  ConfigNode list;
+  list.kind = ConfigNode::Kind::kSequence;
+  list.items.push_back(node);
+  node = list;
+}
+
+/// ~time: sim is ~time/source: sim.
+void accept_source_alone(ros_utils::NodeParams& params) {
+  const std::optional<ConfigNode> time = params.take("time");
+  if (!time) return;
+  ConfigNode map = *time;
+  if (time->kind == ConfigNode::Kind::kScalar) {
+    map = ConfigNode();
+    map.kind = ConfigNode::Kind::kMap;
+    map.keys = {"source"};
+    map.key_lines = {0};
+    map.items = {*time};
+  }
+  params.set("time", map);
+}
+
+/// Changes items of a section, if it is set.
+template <class Change>
+void change_section(ros_utils::NodeParams& params, const std::string& name, const Change& change) {
+  std::optional<ConfigNode> section = params.take(name);
+  if (!section) return;
+  for (std::size_t i = 0; i < section->keys.size(); ++i) {
+    change(section->keys[i], section->items[i]);
+  }
+  params.set(name, *section);
+}
+
+void check_time(const std::string& time) {
+  const std::vector<std::string> legal{"auto", "sim", "fcu", "wall"};
+  if (std::find(legal.begin(), legal.end(), time) != legal.end()) return;
+  throw Error("parameter ~time/source is '" + time + "', legal: auto, sim, fcu, wall");
+}
+
+}  // namespace
+
+MavrosParams read_mavros_params(ros_utils::NodeParams& params) {
+  change_section(params, "imu",
+                 [](const std::string& /*key*/, ConfigNode& node) { drop_comment(node); });
+  change_section(params, "sys", [](const std::string& key, ConfigNode& node) {
+    if (key == "min_voltage") make_list(node);
+  });
+  accept_source_alone(params);
+  const auto result = params.read<MavrosParams>();
+  check_time(result.time.source);
+  // Sections of plugins that need no parameters here, or that are messages alone.
+  params.accept({"param",
+                 "safety_area",
+                 "distance_sensor",
+                 "image",
+                 "fake_gps",
+                 "gps_input",
+                 "landing_target",
+                 "mocap",
+                 "mount",
+                 "odometry",
+                 "px4flow",
+                 "vision_pose",
+                 "vision_speed",
+                 "vibration",
+                 "wheel_odometry",
+                 "camera",
+                 "guided_target",
+                 "obstacle",
+                 "gcs_bridge",
+                 "hil",
+                 "gps_rtk",
+                 "trajectory",
+                 "setpoint_trajectory"});
+  return result;
+}
+
+}  // namespace trident::mavros

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/waypoints.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace trident::mavros {
+namespace {
+
+constexpr double kItemsPerDegree = 1e7, kItemsPerMeter = 1e4;
+
+double units_of_frame(std::uint8_t frame) {
+  if (frame == mavros_msgs::Waypoint::FRAME_MISSION) return 1.0;
+  return bridges::mavlink::is_global_frame(frame) ? kItemsPerDegree : kItemsPerMeter;
+}
+
+std::int32_t to_whole(double value, double units) {
+  constexpr auto kMax = static_cast<double>(std::numeric_limits<std::int32_t>::max());
+  if (std::isnan(value)) return 0;
+  return static_cast<std::int32_t>(std::lround(std::max(-kMax, std::min(kMax, value * units))));
+}
+
+}  // namespace
+
+bridges::mavlink::MissionItem to_item(const mavros_msgs::Waypoint& waypoint) {
+  bridges::mavlink::MissionItem item;
+  const double units = units_of_frame(waypoint.frame);
+  item.command = waypoint.command;
+  item.frame = waypoint.frame;
+  item.is_current = waypoint.is_current != 0U;
+  item.autocontinue = waypoint.autocontinue != 0U;
+  item.params = {waypoint.param1, waypoint.param2, waypoint.param3, waypoint.param4};
+  item.x = to_whole(waypoint.x_lat, units);
+  item.y = to_whole(waypoint.y_long, units);
+  item.z = static_cast<float>(waypoint.z_alt);
+  return item;
+}
+
+mavros_msgs::Waypoint to_waypoint(const bridges::mavlink::MissionItem& item) {
+  mavros_msgs::Waypoint waypoint;
+  const double units = units_of_frame(item.frame);
+  waypoint.command = item.command;
+  waypoint.frame = item.frame;
+  waypoint.is_current = item.is_current;
+  waypoint.autocontinue = item.autocontinue;
+  waypoint.param1 = item.params[0];
+  waypoint.param2 = item.params[1];
+  waypoint.param3 = item.params[2];
+  waypoint.param4 = item.params[3];
+  waypoint.x_lat = item.x / units;
+  waypoint.y_long = item.y / units;
+  waypoint.z_alt = item.z;
+  return waypoint;
+}
+
+}  // namespace trident::mavros

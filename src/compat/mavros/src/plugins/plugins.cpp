@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include "plugins/plugins.h"
+
+#include <fnmatch.h>
+#include <ros/console.h>
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "trident_base/string_util.h"
+
+namespace trident::mavros {
+namespace {
+
+/// Names that lists of upstream have; their messages alone exist here, or they are older names.
+constexpr std::initializer_list<const char*> kMessagesAlone = {"adsb",
+                                                               "cam_imu_sync",
+                                                               "camera",
+                                                               "cellular_status",
+                                                               "companion_process_status",
+                                                               "dummy",
+                                                               "esc_status",
+                                                               "esc_telemetry",
+                                                               "fake_gps",
+                                                               "ftp",
+                                                               "gps_input",
+                                                               "gps_rtk",
+                                                               "guided_target",
+                                                               "image_pub",
+                                                               "imu_pub",
+                                                               "landing_target",
+                                                               "log_transfer",
+                                                               "mag_calibration_status",
+                                                               "mount_control",
+                                                               "obstacle_distance",
+                                                               "onboard_computer_status",
+                                                               "play_tune",
+                                                               "px4flow",
+                                                               "rangefinder",
+                                                               "safety_area",
+                                                               "setpoint_trajectory",
+                                                               "terrain",
+                                                               "trajectory",
+                                                               "tunnel",
+                                                               "wheel_odometry"};
+
+bool fits_any(const std::string& name, const std::vector<std::string>& globs) {
+  return std::any_of(globs.begin(), globs.end(),
+                     [&](const std::string& glob) { return fits_glob(name, glob); });
+}
+
+void warn_of_unknown(const std::vector<std::string>& globs) {
+  std::vector<std::string> known(kMessagesAlone.begin(), kMessagesAlone.end());
+  for (const PluginEntry& entry : all_plugins()) known.emplace_back(entry.name);
+  for (const std::string& glob : globs) {
+    const bool fits = std::any_of(known.begin(), known.end(),
+                                  [&](const std::string& name) { return fits_glob(name, glob); });
+    if (fits) continue;
+    const std::string nearest = closest_match(glob, known);
+    ROS_WARN("plugin list: '%s' fits no plugin%s", glob.c_str(),
+             nearest.empty() ? "" : ("; did you mean '" + nearest + "'?").c_str());
+  }
+}
+
+}  // namespace
+
+const std::vector<PluginEntry>& all_plugins() {
+  static const std::vector<PluginEntry> kPlugins = {
+      {"sys_status", make_sys_status},
+      {"sys_time", make_sys_time},
+      {"command", make_command},
+      {"param", make_param},
+      {"waypoint", make_waypoint},
+      {"geofence", make_geofence},
+      {"rallypoint", make_rallypoint},
+      {"local_position", make_local_position},
+      {"global_position", make_global_position},
+      {"home_position", make_home_position},
+      {"imu", make_imu},
+      {"setpoint_position", make_setpoint_position},
+      {"setpoint_velocity", make_setpoint_velocity},
+      {"setpoint_accel", make_setpoint_accel},
+      {"setpoint_attitude", make_setpoint_attitude},
+      {"setpoint_raw", make_setpoint_raw},
+      {"manual_control", make_manual_control},
+      {"rc_io", make_rc_io},
+      {"actuator_control", make_actuator_control},
+      {"vfr_hud", make_vfr_hud},
+      {"altitude", make_altitude},
+      {"wind_estimation", make_wind_estimation},
+      {"nav_controller_output", make_nav_controller_output},
+      {"3dr_radio", make_3dr_radio},
+      {"vibration", make_vibration},
+  };
+  return kPlugins;
+}
+
+bool fits_glob(const std::string& name, const std::string& glob) {
+  return fnmatch(glob.c_str(), name.c_str(), 0) == 0;
+}
+
+bool is_wanted(const std::string& name, const MavrosParams& params) {
+  const bool is_denied =
+      fits_any(name, params.plugin_blacklist) || fits_any(name, params.plugin_denylist);
+  return !is_denied || fits_any(name, params.plugin_whitelist) ||
+         fits_any(name, params.plugin_allowlist);
+}
+
+std::vector<std::unique_ptr<Plugin>> make_plugins(Hub& hub) {
+  const MavrosParams& params = hub.params;
+  for (const auto* list : {&params.plugin_blacklist, &params.plugin_whitelist,
+                           &params.plugin_denylist, &params.plugin_allowlist}) {
+    warn_of_unknown(*list);
+  }
+  std::vector<std::unique_ptr<Plugin>> plugins;
+  for (const PluginEntry& entry : all_plugins()) {
+    if (is_wanted(entry.name, params)) plugins.push_back(entry.make(hub));
+  }
+  return plugins;
+}
+
+}  // namespace trident::mavros

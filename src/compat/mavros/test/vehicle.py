@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""A vehicle that speaks MAVLink over UDP, and mavros_node in front of it."""
+
+from __future__ import annotations
+
+import socket
+from typing import Any
+
+import rospy
+from mavros_msgs.msg import State
+from trident.testing import Recorder, Ros, eventually, program
+
+
+def free_udp_ports(count: int) -> list[int]:
+    """Ports of loopback that nobody has now."""
+    sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(count)]
+    for one in sockets:
+        one.bind(("127.0.0.1", 0))
+    ports = [int(one.getsockname()[1]) for one in sockets]
+    for one in sockets:
+        one.close()
+    return ports
+
+
+class Vehicle:
+    """A vehicle and its mavros_node, below /mavros."""
+
+    def __init__(self, ros: Ros, kind: str = "px4", battery: float = 0.9, **params: Any) -> None:
+        """Start both.
+
+        Args:
+            ros: the master.
+            kind: px4 or ardupilot.
+            battery: filling, 0 to 1.
+            params: of the node, in addition to its fcu_url.
+        """
+        own, far = free_udp_ports(2)
+        vehicle = ros.launch(
+            [program("mavros", "mavros_udp_vehicle"), kind, f"udp://:{far}@:{own}", str(battery)]
+        )
+        eventually(lambda: "the vehicle is up" in vehicle.log, "the vehicle")
+        ros.set_param("/mavros/fcu_url", f"udp://:{own}@127.0.0.1:{far}")
+        for name, value in params.items():
+            ros.set_param(f"/mavros/{name}", value)
+        self.node = ros.launch([program("mavros", "mavros_node"), "__name:=mavros"])
+        eventually(lambda: "mavros: " in self.node.log, "the node")
+        self.states = Recorder("/mavros/state", State).connected()
+
+    @property
+    def state(self) -> State:
+        """The newest one."""
+        return self.states.received()[-1]
+
+    def connected(self) -> Vehicle:
+        """Return when HEARTBEATs come."""
+        eventually(lambda: bool(self.state.connected), "the connection")
+        return self
+
+    def call(self, name: str, service: Any, **request: Any) -> Any:
+        """The answer of a service below /mavros."""
+        rospy.wait_for_service(f"/mavros/{name}", 30.0)
+        return rospy.ServiceProxy(f"/mavros/{name}", service)(**request)
+
+    def close(self) -> None:
+        """Unsubscribe."""
+        self.states.close()
