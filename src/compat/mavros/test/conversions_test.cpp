@@ -216,6 +216,16 @@ TEST(MavrosParams, TheSourceOfTimeMayStandAlone) {
   EXPECT_THROW(read_mavros_params(wrong), Error);
 }
 
+TEST(MavrosParams, APrefixStandsBeforeAllFrames) {
+  XmlRpc::XmlRpcValue all;
+  all["frame_prefix"] = "uav1/";
+  ros_utils::NodeParams params(all, "/mavros");
+  const MavrosParams values = read_mavros_params(params);
+  EXPECT_EQ(values.local_position.tf.child_frame_id, "uav1/base_link");
+  EXPECT_EQ(values.global_position.frame_id, "uav1/map");
+  EXPECT_EQ(values.imu.frame_id, "uav1/base_link");
+}
+
 TEST(MavrosParams, TheReferencePageIsTheirs) {
   const std::string text =
       ros_utils::params_page("mavros_node",

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -33,7 +34,7 @@ from mavros_msgs.srv import (
     WaypointSetCurrent,
 )
 from sensor_msgs.msg import BatteryState, Imu, NavSatFix
-from trident.testing import Ros, eventually, program, recorder
+from trident.testing import Ros, eventually, package, program, recorder
 from vehicle import Vehicle
 
 LATITUDE_DEG, LONGITUDE_DEG, ALTITUDE_M = 47.397742, 8.545594, 488.0
@@ -178,6 +179,43 @@ def test_an_ardupilot_copter_takes_off_in_guided_mode(start: Callable[..., Vehic
         assert imus.received()[-1].orientation.w != 0.0
         assert batteries.received()[-1].percentage == pytest.approx(0.9, abs=0.02)
         assert homes.received()[-1].geo.longitude == pytest.approx(LONGITUDE_DEG, abs=1e-5)
+
+
+@pytest.mark.parametrize("kind", ["px4", "ardupilot"])
+def test_launch_files_have_no_parameter_that_the_node_does_not_know(
+    start: Callable[..., Vehicle], kind: str
+) -> None:
+    file = "px4.launch" if kind == "px4" else "apm.launch"
+    vehicle = start(kind=kind, launch_file=file)
+    assert "not used" not in vehicle.node.log
+    assert "fits no plugin" not in vehicle.node.log
+
+
+def test_the_tools_load_and_dump_missions_and_parameters(
+    start: Callable[..., Vehicle], ros: Ros, tmp_path: Path
+) -> None:
+    start()
+    mission = tmp_path / "mission.txt"
+    mission.write_text(
+        "QGC WPL 110\n"
+        f"0\t1\t3\t22\t0\t0\t0\t0\t{LATITUDE_DEG}\t{LONGITUDE_DEG}\t5\t1\n"
+        f"1\t0\t3\t16\t0\t0\t0\t0\t{LATITUDE_DEG + 1e-4}\t{LONGITUDE_DEG}\t6\t1\n"
+    )
+
+    def tool(name: str, *words: str) -> str:
+        process = ros.launch([str(package("mavros") / "scripts" / name), *words])
+        assert process.wait() == 0, process.log
+        return str(process.log)
+
+    assert "Waypoints transferred: 2" in tool("mavwp", "load", str(mission))
+    copy = tmp_path / "copy.txt"
+    assert "Waypoints received: 2" in tool("mavwp", "dump", str(copy))
+    assert len(copy.read_text().splitlines()) == 3
+    assert "12.5" in tool("mavparam", "set", "RTL_RETURN_ALT", "12.5")
+    assert "12.5" in tool("mavparam", "get", "RTL_RETURN_ALT")
+    tool("mavsys", "mode", "-c", "POSCTL")
+    tool("mavsafety", "arm")
+    tool("mavcmd", "long", "400", "0", "21196", "0", "0", "0", "0", "0")
 
 
 def test_a_wrong_parameter_ends_the_node_with_its_name(ros: Ros) -> None:

@@ -26,24 +26,29 @@ def free_udp_ports(count: int) -> list[int]:
 class Vehicle:
     """A vehicle and its mavros_node, below /mavros."""
 
-    def __init__(self, ros: Ros, kind: str = "px4", battery: float = 0.9, **params: Any) -> None:
+    def __init__(
+        self, ros: Ros, kind: str = "px4", battery: float = 0.9, launch_file: str = ""
+    ) -> None:
         """Start both.
 
         Args:
             ros: the master.
             kind: px4 or ardupilot.
             battery: filling, 0 to 1.
-            params: of the node, in addition to its fcu_url.
+            launch_file: of mavros that starts the node; empty: without one.
         """
         own, far = free_udp_ports(2)
+        self.fcu_url = f"udp://:{own}@127.0.0.1:{far}"
         vehicle = ros.launch(
             [program("mavros", "mavros_udp_vehicle"), kind, f"udp://:{far}@:{own}", str(battery)]
         )
         eventually(lambda: "the vehicle is up" in vehicle.log, "the vehicle")
-        ros.set_param("/mavros/fcu_url", f"udp://:{own}@127.0.0.1:{far}")
-        for name, value in params.items():
-            ros.set_param(f"/mavros/{name}", value)
-        self.node = ros.launch([program("mavros", "mavros_node"), "__name:=mavros"])
+        if launch_file:
+            url = f"fcu_url:={self.fcu_url}"
+            self.node = ros.launch(["roslaunch", "--disable-title", "mavros", launch_file, url])
+        else:
+            ros.set_param("/mavros/fcu_url", self.fcu_url)
+            self.node = ros.launch([program("mavros", "mavros_node"), "__name:=mavros"])
         eventually(lambda: "mavros: " in self.node.log, "the node")
         self.states = Recorder("/mavros/state", State).connected()
 

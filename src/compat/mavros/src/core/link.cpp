@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/link.h"
 
+#include <ros/time.h>
+
 #include <utility>
 
 #include "trident_base/sim_time.h"
@@ -39,15 +41,39 @@ bridges::mavlink::RouterOptions router_options() {
   return options;
 }
 
+bridges::mavlink::SigningTime signing_now() {
+  return bridges::mavlink::signing_time(
+      static_cast<std::int64_t>(ros::WallTime::now().toNSec()));
+}
+
 }  // namespace
+
+LinkKey::LinkKey(const std::string& file) {
+  if (file.empty()) return;
+  store_ = std::make_unique<bridges::mavlink::SigningFile>(file + ".mavros.times");
+  signing_ = std::make_unique<bridges::mavlink::Signing>(bridges::mavlink::read_signing_key(file),
+                                                         store_.get(), signing_now());
+  signer_ = std::make_unique<bridges::mavlink::PacketSigner>(*signing_, 0);
+}
+
+std::string LinkKey::refusal(const Packet& packet) {
+  if (!signing_) return "";
+  signing_->advance(signing_now());
+  const auto verdict = signing_->check(packet);
+  if (verdict == bridges::mavlink::SignatureVerdict::kAccepted) return "";
+  return "a packet of system " + std::to_string(packet.source.system) +
+         " is dropped: " + bridges::mavlink::text_of(verdict);
+}
 
 Link::Link(const LinkOptions& options, bridges::PollLoop& loop, Events events)
     : loop_(loop),
       events_(std::move(events)),
+      key_(options.signing_key_file),
       router_(
           router_options(), [this](RouterPeer peer, Bytes packet) { pass_on(peer, packet); },
           events_.warning),
-      parser_(true) {
+      parser_(true),
+      writer_(key_.signer()) {
   router_.add_peer(kThisNode, "this node");
   open(options.fcu_url, options.allow_remote, loop);
   if (!options.gcs_url.empty()) open(options.gcs_url, options.allow_remote, loop);
@@ -71,12 +97,11 @@ void Link::open(const std::string& url, bool allow_remote, bridges::PollLoop& lo
     router_.receive(router_peer(number, peer), bytes, is_datagram, wall_time(loop_));
     hear();
   };
-  events.joined = [this, number, &end](PeerId peer, const std::string& address) {
-    if (router_.add_peer(router_peer(number, peer), address)) ++end.peers;
+  events.joined = [this, number](PeerId peer, const std::string& address) {
+    router_.add_peer(router_peer(number, peer), address);
   };
   events.left = [this, number, &end](PeerId peer, const std::string& reason) {
     router_.remove_peer(router_peer(number, peer));
-    if (end.peers > 0) --end.peers;
     events_.warning(end.endpoint->name() + ": " + reason);
   };
   events.warning = events_.warning;
@@ -100,7 +125,10 @@ void Link::pass_on(RouterPeer peer, Bytes packet) {
 void Link::hear() {
   const std::vector<std::uint8_t> packets = std::exchange(inbox_, {});
   parser_.feed_datagram(bridges::Bytes(packets));
-  while (const auto found = parser_.next()) events_.received(*found);
+  while (const auto found = parser_.next()) {
+    const std::string refusal = key_.refusal(*found);
+    refusal.empty() ? events_.received(*found) : events_.refused(refusal);
+  }
 }
 
 void Link::send(const Message& message) { send_packet(writer_.write(message)); }

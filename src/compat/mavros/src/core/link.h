@@ -12,6 +12,8 @@
 #include "trident_bridges/mavlink/packet_parser.h"
 #include "trident_bridges/mavlink/packet_writer.h"
 #include "trident_bridges/mavlink/router.h"
+#include "trident_bridges/mavlink/signing.h"
+#include "trident_bridges/mavlink/signing_file.h"
 #include "trident_bridges/transport/endpoint.h"
 #include "trident_bridges/transport/poll_loop.h"
 
@@ -26,6 +28,24 @@ struct LinkOptions {
   std::string fcu_url;        ///< of the vehicle, see transport/url.h
   std::string gcs_url;        ///< of the ground station; empty: has none
   bool allow_remote = false;  ///< may bind or connect to what is not loopback
+  /// 64 hexadecimal digits: what is sent is signed, and what this node hears must be; empty: none.
+  std::string signing_key_file;
+};
+
+/// What this node signs with, and what it believes; nothing where it has no key.
+class LinkKey {
+ public:
+  /// `file`: of the key; its times are kept next to it. Throws Error for a key that cannot be used.
+  explicit LinkKey(const std::string& file);
+  /// nullptr: nothing is signed.
+  bridges::mavlink::PacketSigner* signer() { return signer_.get(); }
+  /// Why a packet may not be used; empty: it may.
+  std::string refusal(const Packet& packet);
+
+ private:
+  std::unique_ptr<bridges::mavlink::SigningFile> store_;
+  std::unique_ptr<bridges::mavlink::Signing> signing_;
+  std::unique_ptr<bridges::mavlink::PacketSigner> signer_;
 };
 
 /// What comes from the vehicle's end and from that of the ground station, forwarded between both by
@@ -36,6 +56,8 @@ class Link {
   struct Events {
     std::function<void(const Packet&)> received;           ///< what this node is to hear
     std::function<void(const std::string& text)> warning;  ///< a sentence for the log
+    /// A packet is dropped because of its signature; the text says why.
+    std::function<void(const std::string& text)> refused;
   };
 
   /// Opens both ends. `loop` must outlive it. Throws Error with the URL and what is wrong with it.
@@ -49,13 +71,10 @@ class Link {
   void send(const Message& message);
   /// Sends a whole packet of another program as it is.
   void send_packet(bridges::Bytes packet);
-  /// Peers of the vehicle's end that are there now.
-  std::size_t vehicles_ends() const { return ends_.empty() ? 0 : ends_[0]->peers; }
 
  private:
   struct End {
     std::unique_ptr<bridges::Endpoint> endpoint;
-    std::size_t peers = 0;
   };
   void open(const std::string& url, bool allow_remote, bridges::PollLoop& loop);
   void forget_silent_ids(bridges::PollLoop& loop);
@@ -65,6 +84,7 @@ class Link {
 
   bridges::PollLoop& loop_;
   Events events_;
+  LinkKey key_;
   bridges::mavlink::Router router_;
   bridges::mavlink::PacketParser parser_;
   bridges::mavlink::PacketWriter writer_;

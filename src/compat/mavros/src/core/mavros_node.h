@@ -25,7 +25,7 @@ class MavrosNode {
              const MavrosParams& params)
       : params_(params),
         ros_(private_node, loop),
-        vehicle_(params_, loop.loop()),
+        vehicle_(params_, ros_.refusals(), loop.loop()),
         hub_{ros_, vehicle_, params_, {}},
         packets_(vehicle_, loop) {
     follow_attitude(hub_);

@@ -59,6 +59,17 @@ void check_time(const std::string& time) {
   throw Error("parameter ~time/source is '" + time + "', legal: auto, sim, fcu, wall");
 }
 
+void prefix_frames(MavrosParams& params) {
+  const std::string& prefix = params.frame_prefix;
+  params.imu.frame_id.insert(0, prefix);
+  for (PositionParams* const position : {&params.global_position, &params.local_position}) {
+    for (std::string* const frame : {&position->frame_id, &position->child_frame_id,
+                                     &position->tf.frame_id, &position->tf.child_frame_id}) {
+      frame->insert(0, prefix);
+    }
+  }
+}
+
 }  // namespace
 
 MavrosParams read_mavros_params(ros_utils::NodeParams& params) {
@@ -68,7 +79,8 @@ MavrosParams read_mavros_params(ros_utils::NodeParams& params) {
     if (key == "min_voltage") make_list(node);
   });
   accept_source_alone(params);
-  const auto result = params.read<MavrosParams>();
+  auto result = params.read<MavrosParams>();
+  prefix_frames(result);
   check_time(result.time.source);
   // Sections of plugins that need no parameters here, or that are messages alone.
   params.accept({"param",

@@ -194,6 +194,8 @@ struct MavrosParams {
   int target_component_id = 1;                 ///< of the vehicle
   bool startup_px4_usb_quirk = false;          ///< kept for files; has no effect
   bool allow_remote = false;                   ///< other computers may be reached
+  std::string signing_key_file;                ///< signs, and asks for signatures; empty: none
+  std::string frame_prefix;                    ///< before all frame ids, e.g. uav1/
   std::vector<std::string> plugin_blacklist;   ///< globs of names that are not loaded
   std::vector<std::string> plugin_whitelist;   ///< globs of names that are loaded all the same
   std::vector<std::string> plugin_denylist;    ///< as plugin_blacklist
@@ -245,6 +247,9 @@ struct MavrosParams {
     ar.field("target_component_id", target_component_id, Range{1, 255}, "of the vehicle");
     ar.field("startup_px4_usb_quirk", startup_px4_usb_quirk, "kept for files; has no effect");
     ar.field("allow_remote", allow_remote, "may bind or connect to what is not loopback");
+    ar.field("signing_key_file", signing_key_file,
+             "64 hexadecimal digits in a file of mode 600: sign, and refuse what is not signed");
+    ar.field("frame_prefix", frame_prefix, "before all frame ids, e.g. uav1/; empty: as upstream");
     ar.field("plugin_blacklist", plugin_blacklist, "globs of plugins that are not loaded");
     ar.field("plugin_whitelist", plugin_whitelist, "globs of plugins that are loaded all the same");
     ar.field("plugin_denylist", plugin_denylist, "as plugin_blacklist");

@@ -23,16 +23,19 @@ bool is_one_clock(const TimeParams& time) {
   return time.source == "sim" || (time.source == "auto" && ros::Time::isSimTime());
 }
 
-Link::Events link_events(std::function<void(const Packet&)> received) {
+Link::Events link_events(std::function<void(const Packet&)> received,
+                         ros_utils::Refusals& refusals) {
   Link::Events events;
   events.received = std::move(received);
   events.warning = [](const std::string& text) { ROS_WARN("%s", text.c_str()); };
+  events.refused = [&refusals](const std::string& text) { refusals.note("signatures", text); };
   return events;
 }
 
 }  // namespace
 
-VehicleSide::VehicleSide(const MavrosParams& params, bridges::PollLoop& loop)
+VehicleSide::VehicleSide(const MavrosParams& params, ros_utils::Refusals& refusals,
+                         bridges::PollLoop& loop)
     : loop_(loop),
       self_(address_of(params.system_id, params.component_id)),
       target_(address_of(params.target_system_id, params.target_component_id)),
@@ -47,8 +50,8 @@ VehicleSide::VehicleSide(const MavrosParams& params, bridges::PollLoop& loop)
             if (source == target_) set_connected(false);
           }),
       timesync_(self_, is_one_clock_),
-      link_({params.fcu_url, params.gcs_url, params.allow_remote}, loop,
-            link_events([this](const Packet& packet) { receive(packet); })),
+      link_({params.fcu_url, params.gcs_url, params.allow_remote, params.signing_key_file}, loop,
+            link_events([this](const Packet& packet) { receive(packet); }, refusals)),
       commands_(self_, [this](const Message& message) { send(message); }) {}
 
 bridges::mavlink::BothTimes VehicleSide::both_times() const {

@@ -18,6 +18,7 @@
 #include "trident_bridges/mavlink/heartbeat_monitor.h"
 #include "trident_bridges/mavlink/status_text.h"
 #include "trident_bridges/mavlink/timesync.h"
+#include "trident_ros/refusals.h"
 
 namespace trident::mavros {
 
@@ -30,8 +31,8 @@ class VehicleSide {
  public:
   using Handler = std::function<void(const Message&)>;
 
-  /// Opens the link. `loop` must outlive it. Throws Error with the URL and what is wrong with it.
-  VehicleSide(const MavrosParams& params, bridges::PollLoop& loop);
+  /// Opens the link. `refusals` and `loop` must outlive it. Throws Error with the URL and what is wrong with it.
+  VehicleSide(const MavrosParams& params, ros_utils::Refusals& refusals, bridges::PollLoop& loop);
 
   /// Calls `handler` with each message of a type that comes from the vehicle.
   void on(std::uint32_t id, Handler handler) { handlers_[id].push_back(std::move(handler)); }

@@ -1,0 +1,14 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Catkin's view of the Python package (see catkin_python_setup)."""
+
+from catkin_pkg.python_setup import generate_distutils_setup
+from setuptools import setup
+
+setup(
+    **generate_distutils_setup(
+        packages=["mavros"],
+        package_dir={"": "src"},
+        package_data={"mavros": ["py.typed"]},
+    )
+)

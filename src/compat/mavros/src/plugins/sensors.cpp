@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: 2026 The Trident authors
+// SPDX-License-Identifier: Apache-2.0
+#include <mavros_msgs/DebugValue.h>
+#include <mavros_msgs/GPSRAW.h>
+#include <mavros_msgs/RTKBaseline.h>
+#include <sensor_msgs/Range.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <cmath>
+#include <map>
+
+#include "core/conversions.h"
+#include "core/typed_messages.h"
+#include "plugins/plugins.h"
+
+namespace trident::mavros {
+namespace {
+
+using mavros_msgs::DebugValue;
+
+/// GPS_RAW_INT, GPS2_RAW, GPS_RTK and GPS2_RTK as they come.
+class GpsStatus : public Plugin {
+ public:
+  explicit GpsStatus(Hub& hub) : vehicle_(hub.vehicle) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::string prefix = "gpsstatus/gps" + std::to_string(i + 1);
+      raw_[i] = hub.ros.advertise<mavros_msgs::GPSRAW>(prefix + "/raw");
+      rtk_[i] = hub.ros.advertise<mavros_msgs::RTKBaseline>(prefix + "/rtk");
+    }
+    on<mavlink_gps_raw_int_t>(vehicle_, [this](const auto& p) {
+      auto message = to_raw(p);
+      message.alt_ellipsoid = p.alt_ellipsoid;
+      message.h_acc = p.h_acc;
+      message.v_acc = p.v_acc;
+      message.vel_acc = p.vel_acc;
+      message.hdg_acc = static_cast<std::int32_t>(p.hdg_acc);
+      message.dgps_numch = UINT8_MAX;  // GPS_RAW_INT does not have it
+      message.dgps_age = UINT32_MAX;
+      raw_[0]->publish(message);
+    });
+    on<mavlink_gps2_raw_t>(vehicle_, [this](const auto& p) {
+      auto message = to_raw(p);
+      message.dgps_numch = p.dgps_numch;
+      message.dgps_age = p.dgps_age;
+      raw_[1]->publish(message);
+    });
+    on<mavlink_gps_rtk_t>(vehicle_, [this](const auto& p) { rtk_[0]->publish(to_rtk(p)); });
+    on<mavlink_gps2_rtk_t>(vehicle_, [this](const auto& p) { rtk_[1]->publish(to_rtk(p)); });
+  }
+
+ private:
+  template <class Payload>
+  mavros_msgs::GPSRAW to_raw(const Payload& p) const {
+    mavros_msgs::GPSRAW message;
+    message.header.stamp = vehicle_.stamp_us(p.time_usec);
+    message.fix_type = p.fix_type;
+    message.lat = p.lat;
+    message.lon = p.lon;
+    message.alt = p.alt;
+    message.eph = p.eph;
+    message.epv = p.epv;
+    message.vel = p.vel;
+    message.cog = p.cog;
+    message.satellites_visible = p.satellites_visible;
+    message.yaw = p.yaw;
+    return message;
+  }
+  template <class Payload>
+  static mavros_msgs::RTKBaseline to_rtk(const Payload& p) {
+    mavros_msgs::RTKBaseline message;
+    message.header.stamp = ros::Time::now();
+    message.time_last_baseline_ms = p.time_last_baseline_ms;
+    message.rtk_receiver_id = p.rtk_receiver_id;
+    message.wn = p.wn;
+    message.tow = p.tow;
+    message.rtk_health = p.rtk_health;
+    message.rtk_rate = p.rtk_rate;
+    message.nsats = p.nsats;
+    message.baseline_coords_type = p.baseline_coords_type;
+    message.baseline_a_mm = p.baseline_a_mm;
+    message.baseline_b_mm = p.baseline_b_mm;
+    message.baseline_c_mm = p.baseline_c_mm;
+    message.accuracy = p.accuracy;
+    message.iar_num_hypotheses = p.iar_num_hypotheses;
+    return message;
+  }
+
+  VehicleSide& vehicle_;
+  std::array<std::unique_ptr<bridges::NodePublisher<mavros_msgs::GPSRAW>>, 2> raw_;
+  std::array<std::unique_ptr<bridges::NodePublisher<mavros_msgs::RTKBaseline>>, 2> rtk_;
+};
+
+/// The sensors of ~distance_sensor: one topic for each, from or to the vehicle.
+class DistanceSensors : public Plugin {
+ public:
+  explicit DistanceSensors(Hub& hub) : hub_(hub) {
+    XmlRpc::XmlRpcValue all;
+    hub.ros.node().getParam("distance_sensor", all);
+    if (all.getType() != XmlRpc::XmlRpcValue::TypeStruct) return;
+    for (auto& [name, section] : all) add(name, section);
+    on<mavlink_distance_sensor_t>(hub.vehicle, [this](const auto& p) { publish(p); });
+  }
+
+ private:
+  struct Output {
+    std::string frame_id;
+    double field_of_view_rad;
+    std::unique_ptr<bridges::NodePublisher<sensor_msgs::Range>> topic;
+  };
+
+  /// A number of a section, whatever its type; `otherwise` where it is not set.
+  static double number(XmlRpc::XmlRpcValue& section, const char* key, double otherwise) {
+    if (!section.hasMember(key)) return otherwise;
+    XmlRpc::XmlRpcValue& value = section[key];
+    if (value.getType() == XmlRpc::XmlRpcValue::TypeInt) return static_cast<int&>(value);
+    return value.getType() == XmlRpc::XmlRpcValue::TypeDouble ? static_cast<double&>(value)
+                                                              : otherwise;
+  }
+  static std::string word(XmlRpc::XmlRpcValue& section, const char* key, const char* otherwise) {
+    if (!section.hasMember(key)) return otherwise;
+    XmlRpc::XmlRpcValue& value = section[key];
+    return value.getType() == XmlRpc::XmlRpcValue::TypeString ? static_cast<std::string&>(value)
+                                                              : otherwise;
+  }
+  static std::uint8_t orientation(const std::string& name) {
+    const std::map<std::string, std::uint8_t> known = {
+        {"NONE", MAV_SENSOR_ROTATION_NONE},         {"YAW_90", MAV_SENSOR_ROTATION_YAW_90},
+        {"YAW_180", MAV_SENSOR_ROTATION_YAW_180},   {"YAW_270", MAV_SENSOR_ROTATION_YAW_270},
+        {"PITCH_90", MAV_SENSOR_ROTATION_PITCH_90}, {"PITCH_270", MAV_SENSOR_ROTATION_PITCH_270}};
+    const auto found = known.find(name);
+    return found == known.end() ? std::uint8_t{MAV_SENSOR_ROTATION_PITCH_270} : found->second;
+  }
+
+  void add(const std::string& name, XmlRpc::XmlRpcValue& section) {
+    if (section.getType() != XmlRpc::XmlRpcValue::TypeStruct) return;
+    const auto id = static_cast<std::uint8_t>(number(section, "id", 0.0));
+    const std::string topic = "distance_sensor/" + name;
+    const bool is_input =
+        section.hasMember("subscriber") && static_cast<bool>(section["subscriber"]);
+    if (!is_input) {
+      outputs_[id] = {word(section, "frame_id", "base_link"), number(section, "field_of_view", 0.0),
+                      hub_.ros.advertise<sensor_msgs::Range>(topic)};
+      return;
+    }
+    const std::uint8_t facing = orientation(word(section, "orientation", "PITCH_270"));
+    hub_.ros.subscribe<sensor_msgs::Range>(
+        topic, [this, id, facing](const auto& message) { send_range(message, id, facing); });
+  }
+
+  void publish(const mavlink_distance_sensor_t& p) {
+    const auto found = outputs_.find(p.id);
+    if (found == outputs_.end()) return;
+    constexpr float kCentimeter = 0.01F;
+    sensor_msgs::Range range;
+    range.header.stamp = hub_.vehicle.stamp_ms(p.time_boot_ms);
+    range.header.frame_id = found->second.frame_id;
+    range.radiation_type = p.type == MAV_DISTANCE_SENSOR_LASER ? sensor_msgs::Range::INFRARED
+                                                               : sensor_msgs::Range::ULTRASOUND;
+    range.field_of_view = static_cast<float>(found->second.field_of_view_rad);
+    range.min_range = static_cast<float>(p.min_distance) * kCentimeter;
+    range.max_range = static_cast<float>(p.max_distance) * kCentimeter;
+    range.range = static_cast<float>(p.current_distance) * kCentimeter;
+    found->second.topic->publish(range);
+  }
+
+  void send_range(const sensor_msgs::Range& m, std::uint8_t id, std::uint8_t facing) {
+    const auto centimeters = [](float meters) {
+      constexpr double kPerMeter = 100.0, kMax = UINT16_MAX;
+      const double value = std::isfinite(meters) ? meters * kPerMeter : kMax;
+      return static_cast<std::uint16_t>(std::max(0.0, std::min(kMax, value)));
+    };
+    mavlink_distance_sensor_t payload{};
+    payload.time_boot_ms = hub_.vehicle.boot_ms(m.header.stamp);
+    payload.min_distance = centimeters(m.min_range);
+    payload.max_distance = centimeters(m.max_range);
+    payload.current_distance = centimeters(m.range);
+    payload.type = m.radiation_type == sensor_msgs::Range::INFRARED
+                       ? MAV_DISTANCE_SENSOR_LASER
+                       : MAV_DISTANCE_SENSOR_ULTRASOUND;
+    payload.id = id;
+    payload.orientation = facing;
+    payload.covariance = UINT8_MAX;  // not known
+    send(hub_.vehicle, payload);
+  }
+
+  Hub& hub_;
+  std::map<std::uint8_t, Output> outputs_;
+};
+
+/// Values for debugging, from and to the vehicle.
+class DebugValues : public Plugin {
+ public:
+  explicit DebugValues(Hub& hub) : vehicle_(hub.vehicle) {
+    for (const char* name :
+         {"debug", "debug_vector", "debug_float_array", "named_value_float", "named_value_int"}) {
+      topics_[name] = hub.ros.advertise<DebugValue>(std::string("debug_value/") + name);
+    }
+    listen();
+    hub.ros.subscribe<DebugValue>("debug_value/send", [this](const auto& m) { send_value(m); });
+  }
+
+ private:
+  DebugValue value(std::uint8_t type, const ros::Time& stamp, const std::string& name) const {
+    DebugValue result;
+    result.header.stamp = stamp;
+    result.index = result.array_id = -1;
+    result.type = type;
+    result.name = name;
+    return result;
+  }
+  void listen() {
+    on<mavlink_debug_t>(vehicle_, [this](const auto& p) {
+      auto m = value(DebugValue::TYPE_DEBUG, vehicle_.stamp_ms(p.time_boot_ms), "");
+      m.index = p.ind;
+      m.value_float = p.value;
+      topics_["debug"]->publish(m);
+    });
+    on<mavlink_debug_vect_t>(vehicle_, [this](const auto& p) {
+      auto m = value(DebugValue::TYPE_DEBUG_VECT, vehicle_.stamp_us(p.time_usec), text_of(p.name));
+      m.data = {p.x, p.y, p.z};
+      topics_["debug_vector"]->publish(m);
+    });
+    on<mavlink_debug_float_array_t>(vehicle_, [this](const auto& p) {
+      auto m = value(DebugValue::TYPE_DEBUG_FLOAT_ARRAY, vehicle_.stamp_us(p.time_usec),
+                     text_of(p.name));
+      m.array_id = p.array_id;
+      m.data.assign(std::begin(p.data), std::end(p.data));
+      topics_["debug_float_array"]->publish(m);
+    });
+    on<mavlink_named_value_float_t>(vehicle_, [this](const auto& p) {
+      auto m = value(DebugValue::TYPE_NAMED_VALUE_FLOAT, vehicle_.stamp_ms(p.time_boot_ms),
+                     text_of(p.name));
+      m.value_float = p.value;
+      topics_["named_value_float"]->publish(m);
+    });
+    on<mavlink_named_value_int_t>(vehicle_, [this](const auto& p) {
+      auto m = value(DebugValue::TYPE_NAMED_VALUE_INT, vehicle_.stamp_ms(p.time_boot_ms),
+                     text_of(p.name));
+      m.value_int = p.value;
+      topics_["named_value_int"]->publish(m);
+    });
+  }
+
+  void send_value(const DebugValue& m) {
+    const std::uint32_t boot_ms = vehicle_.boot_ms(m.header.stamp);
+    if (m.type == DebugValue::TYPE_DEBUG) {
+      mavlink_debug_t payload{};
+      payload.time_boot_ms = boot_ms;
+      payload.ind = static_cast<std::uint8_t>(m.index);
+      payload.value = m.value_float;
+      send(vehicle_, payload);
+    } else if (m.type == DebugValue::TYPE_NAMED_VALUE_FLOAT) {
+      mavlink_named_value_float_t payload{};
+      payload.time_boot_ms = boot_ms;
+      m.name.copy(payload.name, sizeof(payload.name));
+      payload.value = m.value_float;
+      send(vehicle_, payload);
+    } else if (m.type == DebugValue::TYPE_NAMED_VALUE_INT) {
+      mavlink_named_value_int_t payload{};
+      payload.time_boot_ms = boot_ms;
+      m.name.copy(payload.name, sizeof(payload.name));
+      payload.value = m.value_int;
+      send(vehicle_, payload);
+    } else {
+      send_array(m);
+    }
+  }
+  void send_array(const DebugValue& m) {
+    constexpr std::size_t kVector = 3;
+    if (m.type == DebugValue::TYPE_DEBUG_VECT && m.data.size() == kVector) {
+      mavlink_debug_vect_t payload{};
+      m.name.copy(payload.name, sizeof(payload.name));
+      payload.x = m.data[0];
+      payload.y = m.data[1];
+      payload.z = m.data[2];
+      send(vehicle_, payload);
+    } else if (m.type == DebugValue::TYPE_DEBUG_FLOAT_ARRAY) {
+      mavlink_debug_float_array_t payload{};
+      m.name.copy(payload.name, sizeof(payload.name));
+      payload.array_id = static_cast<std::uint16_t>(m.array_id);
+      const std::size_t count = std::min(m.data.size(), std::size(payload.data));
+      std::copy_n(m.data.begin(), count, std::begin(payload.data));
+      send(vehicle_, payload);
+    }
+  }
+
+  VehicleSide& vehicle_;
+  std::map<std::string, std::unique_ptr<bridges::NodePublisher<DebugValue>>> topics_;
+};
+
+}  // namespace
+
+std::unique_ptr<Plugin> make_gps_status(Hub& hub) { return std::make_unique<GpsStatus>(hub); }
+std::unique_ptr<Plugin> make_distance_sensor(Hub& hub) {
+  return std::make_unique<DistanceSensors>(hub);
+}
+std::unique_ptr<Plugin> make_debug_value(Hub& hub) { return std::make_unique<DebugValues>(hub); }
+
+}  // namespace trident::mavros
