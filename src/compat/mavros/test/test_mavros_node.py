@@ -34,7 +34,7 @@ from mavros_msgs.srv import (
     WaypointSetCurrent,
 )
 from sensor_msgs.msg import BatteryState, Imu, NavSatFix
-from trident.testing import Ros, eventually, package, program, recorder
+from trident.testing import Process, Ros, eventually, package, program, recorder
 from vehicle import Vehicle
 
 LATITUDE_DEG, LONGITUDE_DEG, ALTITUDE_M = 47.397742, 8.545594, 488.0
@@ -52,6 +52,12 @@ def start(ros: Ros) -> Iterator[Callable[..., Vehicle]]:
     yield start_one
     for one in started:
         one.close()
+
+
+def assert_parameters_are_known(vehicle: Vehicle) -> None:
+    """The node knows all that the files of the launch file say."""
+    assert "not used" not in vehicle.node.log
+    assert "fits no plugin" not in vehicle.node.log
 
 
 def waypoint(command: int, north_deg: float, height_m: float, **fields: Any) -> Waypoint:
@@ -107,7 +113,8 @@ def test_a_px4_vehicle_is_offboard_as_the_example_has_it(start: Callable[..., Ve
 def test_lists_and_parameters_go_to_the_vehicle_and_come_back(
     start: Callable[..., Vehicle],
 ) -> None:
-    vehicle = start()
+    vehicle = start(launch_file="px4.launch")
+    assert_parameters_are_known(vehicle)
     pulled = vehicle.call("param/pull", ParamPull, force_pull=True)
     assert pulled.success
     assert pulled.param_received > 40
@@ -158,7 +165,8 @@ def test_a_refusal_names_rule_value_and_limit(start: Callable[..., Vehicle]) -> 
 
 
 def test_an_ardupilot_copter_takes_off_in_guided_mode(start: Callable[..., Vehicle]) -> None:
-    vehicle = start(kind="ardupilot")
+    vehicle = start(kind="ardupilot", launch_file="apm.launch")
+    assert_parameters_are_known(vehicle)
     info = vehicle.call("vehicle_info_get", VehicleInfoGet).vehicles[0]
     assert (info.autopilot, info.sysid) == (3, 1)
     vehicle.call("set_stream_rate", StreamRate, stream_id=0, message_rate=10, on_off=True)
@@ -181,16 +189,6 @@ def test_an_ardupilot_copter_takes_off_in_guided_mode(start: Callable[..., Vehic
         assert homes.received()[-1].geo.longitude == pytest.approx(LONGITUDE_DEG, abs=1e-5)
 
 
-@pytest.mark.parametrize("kind", ["px4", "ardupilot"])
-def test_launch_files_have_no_parameter_that_the_node_does_not_know(
-    start: Callable[..., Vehicle], kind: str
-) -> None:
-    file = "px4.launch" if kind == "px4" else "apm.launch"
-    vehicle = start(kind=kind, launch_file=file)
-    assert "not used" not in vehicle.node.log
-    assert "fits no plugin" not in vehicle.node.log
-
-
 def test_the_tools_load_and_dump_missions_and_parameters(
     start: Callable[..., Vehicle], ros: Ros, tmp_path: Path
 ) -> None:
@@ -202,20 +200,25 @@ def test_the_tools_load_and_dump_missions_and_parameters(
         f"1\t0\t3\t16\t0\t0\t0\t0\t{LATITUDE_DEG + 1e-4}\t{LONGITUDE_DEG}\t6\t1\n"
     )
 
-    def tool(name: str, *words: str) -> str:
-        process = ros.launch([str(package("mavros") / "scripts" / name), *words])
+    def started(name: str, *words: str) -> Process:
+        return ros.launch([str(package("mavros") / "scripts" / name), *words])
+
+    def log_of(process: Process) -> str:
         assert process.wait() == 0, process.log
         return str(process.log)
 
-    assert "Waypoints transferred: 2" in tool("mavwp", "load", str(mission))
     copy = tmp_path / "copy.txt"
-    assert "Waypoints received: 2" in tool("mavwp", "dump", str(copy))
+    load = started("mavwp", "load", str(mission))
+    change = started("mavparam", "set", "RTL_RETURN_ALT", "12.5")
+    mode = started("mavsys", "mode", "-c", "POSCTL")
+    assert "12.5" in log_of(change)
+    assert "Mode changed." in log_of(mode)
+    assert "Waypoints transferred: 2" in log_of(load)
+    dump = started("mavwp", "dump", str(copy))
+    log_of(started("mavsafety", "arm"))
+    log_of(started("mavcmd", "long", "400", "0", "21196", "0", "0", "0", "0", "0"))
+    assert "Waypoints received: 2" in log_of(dump)
     assert len(copy.read_text().splitlines()) == 3
-    assert "12.5" in tool("mavparam", "set", "RTL_RETURN_ALT", "12.5")
-    assert "12.5" in tool("mavparam", "get", "RTL_RETURN_ALT")
-    tool("mavsys", "mode", "-c", "POSCTL")
-    tool("mavsafety", "arm")
-    tool("mavcmd", "long", "400", "0", "21196", "0", "0", "0", "0", "0")
 
 
 def test_a_wrong_parameter_ends_the_node_with_its_name(ros: Ros) -> None:
