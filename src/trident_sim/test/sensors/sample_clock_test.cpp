@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 namespace {

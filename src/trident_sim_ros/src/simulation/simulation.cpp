@@ -77,6 +77,7 @@ Simulation::Simulation(ros::NodeHandle& node, const ServerOptions& options)
   gate_ = std::make_unique<LockstepGate>(node_, options_, *losses_, probe_);
   answers_ = std::make_unique<AnsweredInputs>(options_, world_->ports(), *binder_, *inputs_,
                                               *losses_, probe_, report);
+  autopilots_ = std::make_unique<AutopilotGate>(*world_, *losses_);
   calls_ = std::make_unique<RadioCalls>(node_, *world_, *losses_, report);
   sync_topics();
   topics_->publish_clock(world_->time());
@@ -175,6 +176,7 @@ bool Simulation::run_once() {
   if (!stepping && !pace_allows()) return true;
   is_flowing_ = false;  // until the step: who waits at the end of the run stands
   if (!answers_allow_step() || !calls_allow_step()) return true;
+  if (!autopilots_->allows_step(world_->time())) return true;
   const auto publish_clock = [this]() TRIDENT_REQUIRES(mutex_) {
     topics_->publish_clock(world_->time());
   };
@@ -196,6 +198,7 @@ void Simulation::stand() {
   restart_pace();
   show_standing_world();
   gate_->poll_while_paused();
+  autopilots_->poll();
   wait(milliseconds(1));
 }
 

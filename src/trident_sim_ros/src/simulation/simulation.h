@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lockstep/answered_inputs.h"
+#include "lockstep/autopilot_gate.h"
 #include "lockstep/lockstep_gate.h"
 #include "lockstep/loss_watch.h"
 #include "lockstep/node_probe.h"
@@ -163,6 +164,7 @@ class Simulation {
   std::unique_ptr<LossWatch> losses_ TRIDENT_PT_GUARDED_BY(mutex_);
   std::unique_ptr<LockstepGate> gate_ TRIDENT_PT_GUARDED_BY(mutex_);
   std::unique_ptr<AnsweredInputs> answers_ TRIDENT_PT_GUARDED_BY(mutex_);
+  std::unique_ptr<AutopilotGate> autopilots_ TRIDENT_PT_GUARDED_BY(mutex_);
   std::unique_ptr<RadioCalls> calls_ TRIDENT_PT_GUARDED_BY(mutex_);
 
   bool paused_ TRIDENT_GUARDED_BY(mutex_) = false;

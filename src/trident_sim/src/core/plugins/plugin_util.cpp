@@ -23,10 +23,21 @@ std::string scoped_topic(const PluginParams& params, const std::string& topic) {
   return ns.empty() ? clean : ns + "/" + clean;
 }
 
+std::string robot_topic(const PluginContext& context, const std::string& topic) {
+  return scoped_topic(context.params, topic);
+}
+
+std::string vehicle_topic(const PluginContext& context, const std::string& topic) {
+  std::string vehicle = without_outer_slashes(context.params.text("robotNamespace", ""));
+  if (vehicle.empty() && context.model != nullptr) vehicle = context.model->name;
+  return vehicle + "/" + without_outer_slashes(topic);
+}
+
 Link& required_link(const PluginContext& context, const std::string& key) {
   const std::string name = context.params.required_text(key);
   if (context.model == nullptr) throw Error(context.params.owner() + ": belongs in a model");
   Link* link = context.model->find_link(name);
+  if (link == nullptr && name.front() == '/') link = context.model->find_link(name.substr(1));
   if (link == nullptr) {
     std::string known;
     for (const auto& other : context.model->links)

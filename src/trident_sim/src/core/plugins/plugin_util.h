@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "trident_base/error.h"
+#include "trident_sim/link_motion.h"
 #include "trident_sim/samples.h"
+#include "trident_sim/topic_names.h"
 #include "trident_sim/world.h"
 
 namespace trident::sim {
@@ -15,6 +17,7 @@ namespace trident::sim {
 /// "<robotNamespace>/<topic>" without doubled or outer slashes; an absolute topic stands alone.
 std::string scoped_topic(const PluginParams& params, const std::string& topic);
 
+/// The link that `key` names, with or without a leading slash. Throws Error with the known ones.
 Link& required_link(const PluginContext& context, const std::string& key);
 Joint& required_joint(const PluginContext& context, const std::string& key);
 /// The joint that `key` names, or the one of the name `fallback`.
@@ -37,10 +40,6 @@ InHandle<T> subscribe(const PluginContext& context, const std::string& name) {
 /// `child` already: a frame has one parent.
 OutHandle<FrameSample> advertise_frame(const PluginContext& context, const std::string& parent,
                                        const std::string& child);
-
-/// Velocity and acceleration of a link's own frame origin.
-Eigen::Vector3d link_velocity_world(const Link& link);
-Eigen::Vector3d link_acceleration_world(const Link& link, double dt_s);
 
 /// A plugin that measures once per step: as the step begins in `rotors` timing, as it ends in
 /// `direct`. The stamp is the end of the step in both (see LoopTiming).

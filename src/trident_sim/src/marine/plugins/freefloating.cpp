@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 #include "trident_base/string_util.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/plugin_registry.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/plugins/joint_states.h"
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 #include "trident_sim/plugin_registry.h"
 
 namespace trident::sim {

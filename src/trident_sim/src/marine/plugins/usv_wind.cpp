@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/plugins/plugin_util.h"
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 #include "marine/environment/wind_gusts.h"
 #include "marine/vessel/vessel_dynamics.h"
 #include "trident_base/angle.h"

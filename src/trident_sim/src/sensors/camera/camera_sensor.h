@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "camera_outputs.h"
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 #include "sensors/command_input.h"
 
 namespace trident::sim {

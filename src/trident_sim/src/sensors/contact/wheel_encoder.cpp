@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/plugins/plugin_util.h"
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 #include "trident_base/vehicle/wheel_encoder.h"
 #include "trident_sim/plugin_registry.h"
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/plugins/plugin_util.h"
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 #include "geoid_grid.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"

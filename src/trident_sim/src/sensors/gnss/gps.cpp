@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/plugins/plugin_util.h"
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/noise.h"

@@ -7,7 +7,7 @@
 
 #include "axis_noise.h"
 #include "core/plugins/plugin_util.h"
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 #include "sensors/lidar/example_lidar.h"
 #include "sensors/lidar/ray_bundle.h"
 #include "trident_base/angle.h"

@@ -6,7 +6,7 @@
 #include "beam_caster.h"
 #include "core/plugins/model_params.h"
 #include "core/plugins/plugin_util.h"
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 #include "lidar_pattern.h"
 #include "lidar_spec.h"
 #include "rolling_sweep.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "beam_caster.h"
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 #include "lidar_spec.h"
 
 namespace trident::sim {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/plugins/plugin_util.h"
-#include "core/plugins/sample_clock.h"
+#include "trident_sim/sample_clock.h"
 #include "trident_sim/battery_sample.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/plugin_registry.h"

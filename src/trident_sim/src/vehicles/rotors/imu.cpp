@@ -37,7 +37,7 @@ ImuNoiseParams read_noise(const PluginParams& params) {
 /// white noise. Unlike RotorS every IMU has its own random stream.
 class Imu : public MeasuringPlugin {
  public:
-  explicit Imu(const PluginContext& context)
+  explicit Imu(const PluginContext& context, TopicNaming name_of = robot_topic)
       : MeasuringPlugin(context.world.timing()),
         link_(required_link(context, "linkName")),
         noise_params_(read_noise(context.params)),
@@ -45,7 +45,7 @@ class Imu : public MeasuringPlugin {
         noise_(noise_params_, context.world.physics().max_step_size_s, stream_),
         noise_dt_s_(context.world.physics().max_step_size_s) {
     const PluginParams& params = context.params;
-    imu_ = advertise<ImuSample>(context, scoped_topic(params, params.text("imuTopic", "imu")),
+    imu_ = advertise<ImuSample>(context, name_of(context, params.text("imuTopic", "imu")),
                                 PortRank::kSensor);
     ImuSample& value = imu_->value;
     value.frame = link_.name;
@@ -87,14 +87,21 @@ class Imu : public MeasuringPlugin {
   OutHandle<ImuSample> imu_;
 };
 
-const PluginRegistrar kRotorsGazeboImuPlugin(
-    "librotors_gazebo_imu_plugin.so", factory_of<Imu>(),
-    PluginExample{
+std::unique_ptr<Plugin> make_vehicle_imu(const PluginContext& context) {
+  return std::make_unique<Imu>(context, vehicle_topic);
+}
+
+const PluginExample kImuExample{
         "<linkName>base_link</linkName>",
         {"linkName"},
         {"gyroscopeNoiseDensity", "gyroscopeRandomWalk", "gyroscopeBiasCorrelationTime",
          "gyroscopeTurnOnBiasSigma", "accelerometerNoiseDensity", "accelerometerRandomWalk",
-         "accelerometerBiasCorrelationTime", "accelerometerTurnOnBiasSigma"}});
+         "accelerometerBiasCorrelationTime", "accelerometerTurnOnBiasSigma"}};
+
+const PluginRegistrar kRotorsGazeboImuPlugin("librotors_gazebo_imu_plugin.so", factory_of<Imu>(),
+                                             kImuExample);
+const PluginRegistrar kGazeboImuPlugin("libgazebo_imu_plugin.so", {make_vehicle_imu, {}},
+                                       kImuExample);
 
 }  // namespace
 

@@ -17,7 +17,7 @@ constexpr double kFastestCommand = 1e6;  ///< [rad/s], of either sign
 /// Speeds in rad/s of the real rotor; its joint turns `slowdown` times slower.
 class MotorModel : public Plugin {
  public:
-  explicit MotorModel(const PluginContext& context)
+  explicit MotorModel(const PluginContext& context, TopicNaming name_of = robot_topic)
       : joint_(required_joint(context, "jointName")), link_(required_link(context, "linkName")) {
     const PluginParams& params = context.params;
     const Limits positive{1e-12, 1e12}, not_negative{0.0, 1e12};
@@ -38,11 +38,11 @@ class MotorModel : public Plugin {
     decay_.time_constant_down_s = params.number("timeConstantDown", 1.0 / 40.0, positive);
     constants_.slowdown = params.number("rotorVelocitySlowdownSim", 10.0, positive);
     command_ = subscribe<ActuatorCommand>(
-        context, scoped_topic(params, params.text("commandSubTopic", "command/motor_speed")));
+        context, name_of(context, params.text("commandSubTopic", "command/motor_speed")));
     wind_ = subscribe<WindSample>(
-        context, scoped_topic(params, params.text("windSpeedSubTopic", "wind_speed")));
+        context, name_of(context, params.text("windSpeedSubTopic", "wind_speed")));
     speed_ = advertise<ScalarSample>(
-        context, scoped_topic(params, params.text("motorSpeedPubTopic", "motor_speed")),
+        context, name_of(context, params.text("motorSpeedPubTopic", "motor_speed")),
         PortRank::kState);
     name_ = params.owner();
     MotorModel::body_frames_moved();
@@ -189,9 +189,14 @@ std::string velocity_controlled_joint(const PluginParams& params) {
                                                             : std::string();
 }
 
-const PluginRegistrar kRotorsGazeboMotorModel(
-    "librotors_gazebo_motor_model.so", factory_of<MotorModel>(velocity_controlled_joint),
-    PluginExample{
+std::unique_ptr<Plugin> make_vehicle_motor(const PluginContext& context) {
+  for (const char* of_gazebo : {"reversible", "gazebo_joint_control_pid"}) {
+    context.params.node(of_gazebo);  // PX4's, of parts that this motor does not have
+  }
+  return std::make_unique<MotorModel>(context, vehicle_topic);
+}
+
+const PluginExample kMotorExample{
         "<jointName>rotor_1_joint</jointName><linkName>rotor_1</linkName>"
         "<turningDirection>ccw</turningDirection><motorNumber>1</motorNumber>"
         "<commandSubTopic>gazebo/command/motor_speed</commandSubTopic>"
@@ -204,7 +209,14 @@ const PluginRegistrar kRotorsGazeboMotorModel(
         {"jointName", "linkName", "motorNumber", "turningDirection"},
         {"motorNumber", "timeConstantUp", "timeConstantDown", "maxRotVelocity", "motorConstant",
          "momentConstant", "rotorDragCoefficient", "rollingMomentCoefficient",
-         "rotorVelocitySlowdownSim"}});
+         "rotorVelocitySlowdownSim"}};
+
+const PluginRegistrar kRotorsGazeboMotorModel("librotors_gazebo_motor_model.so",
+                                              factory_of<MotorModel>(velocity_controlled_joint),
+                                              kMotorExample);
+const PluginRegistrar kGazeboMotorModel("libgazebo_motor_model.so",
+                                        {make_vehicle_motor, velocity_controlled_joint},
+                                        kMotorExample);
 
 }  // namespace
 

@@ -26,7 +26,8 @@ int rotor_number(const std::string& link_name) {
 /// Publishes the speeds and angles of all rotors of a multirotor.
 class MultirotorBase : public MeasuringPlugin {
  public:
-  explicit MultirotorBase(const PluginContext& context) : MeasuringPlugin(context.world.timing()) {
+  explicit MultirotorBase(const PluginContext& context, TopicNaming name_of = robot_topic)
+      : MeasuringPlugin(context.world.timing()) {
     const PluginParams& params = context.params;
     required_link(context, "linkName");
     slowdown_ = params.number("rotorVelocitySlowdownSim", 10.0, {1e-12, 1e12});
@@ -38,10 +39,10 @@ class MultirotorBase : public MeasuringPlugin {
       }
     }
     motor_speed_ = advertise<ActuatorState>(
-        context, scoped_topic(params, params.text("motorPubTopic", "motor_speed")),
+        context, name_of(context, params.text("motorPubTopic", "motor_speed")),
         PortRank::kState);
     joint_states_ = advertise<JointStateSample>(
-        context, scoped_topic(params, params.text("jointStatePubTopic", "joint_states")),
+        context, name_of(context, params.text("jointStatePubTopic", "joint_states")),
         PortRank::kState);
     for (const auto& [number, joint] : rotors) {
       rotors_.emplace_back(static_cast<std::size_t>(number), joint);
@@ -76,9 +77,17 @@ class MultirotorBase : public MeasuringPlugin {
   OutHandle<JointStateSample> joint_states_;
 };
 
+std::unique_ptr<Plugin> make_vehicle_base(const PluginContext& context) {
+  return std::make_unique<MultirotorBase>(context, vehicle_topic);
+}
+
+const PluginExample kBaseExample{
+    "<linkName>base_link</linkName>", {"linkName"}, {"rotorVelocitySlowdownSim"}};
+
 const PluginRegistrar kRotorsGazeboMultirotorBasePlugin(
-    "librotors_gazebo_multirotor_base_plugin.so", factory_of<MultirotorBase>(),
-    PluginExample{"<linkName>base_link</linkName>", {"linkName"}, {"rotorVelocitySlowdownSim"}});
+    "librotors_gazebo_multirotor_base_plugin.so", factory_of<MultirotorBase>(), kBaseExample);
+const PluginRegistrar kGazeboMultirotorBasePlugin("libgazebo_multirotor_base_plugin.so",
+                                                  {make_vehicle_base, {}}, kBaseExample);
 
 }  // namespace
 

@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""An outside autopilot takes the iris off, holds it at 3 m and lands it, in lockstep."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+
+import numpy as np
+import pytest
+import trident_sim
+from conftest import StartStandIn, make_world
+
+AUTOPILOTS = ["px4", "ardupilot"]
+LANDED_S = 17.0
+
+
+def height(world: trident_sim.World, name: str = "iris0") -> float:
+    """Of the model's frame [m]."""
+    return float(world.model(name).position[2])
+
+
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
+def test_iris_takes_off_holds_3_m_and_lands(autopilot: str, start: StartStandIn) -> None:
+    world, ports = make_world(autopilot)
+    start(autopilot, ports[0])
+    ground = height(world)
+    world.step_until(7.0)
+    held = []
+    while world.time < 9.8:
+        world.step(10)
+        held.append(world.model("iris0").position)
+    offset = np.array(held) - np.array([0.0, 0.0, ground + 3.0])
+    assert np.abs(offset[:, 2]).max() < 0.5
+    assert np.abs(offset[:, :2]).max() < 1.0
+    world.step_until(LANDED_S)
+    assert height(world) == pytest.approx(ground, abs=0.05)
+    assert np.linalg.norm(world.model("iris0").linear_velocity) < 0.02
+
+
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
+def test_a_flight_is_equal_to_the_bit_though_its_autopilot_was_stopped(
+    autopilot: str, start: StartStandIn
+) -> None:
+    hashes = set()
+    for is_stopped in (False, True):
+        world, ports = make_world(autopilot)
+        process = start(autopilot, ports[0])
+        world.step_until(2.5)
+        if is_stopped:
+            process.send_signal(signal.SIGSTOP)
+            resume = subprocess.Popen(["sh", "-c", f"sleep 1; kill -CONT {process.pid}"])
+        world.step_until(4.0)
+        if is_stopped:
+            assert resume.wait() == 0
+        hashes.add(world.state_hash())
+        assert height(world) > 0.5
+    assert len(hashes) == 1
+
+
+@pytest.mark.parametrize("autopilot", AUTOPILOTS)
+def test_six_fly_at_once_and_equal_to_the_bit(autopilot: str, start: StartStandIn) -> None:
+    hashes = set()
+    for _ in range(2):
+        world, ports = make_world(autopilot, count=6)
+        for port in ports:
+            start(autopilot, port)
+        world.step_until(4.0)
+        assert all(height(world, f"iris{i}") > 1.0 for i in range(6))
+        hashes.add(world.state_hash())
+    assert len(hashes) == 1
+
+
+def test_one_that_is_killed_is_named_and_one_that_is_started_again_continues(
+    start: StartStandIn,
+) -> None:
+    world, ports = make_world("px4")
+    first = start("px4", ports[0])
+    world.step_until(1.0)
+    os.kill(first.pid, signal.SIGKILL)
+    first.wait()
+    start("px4", ports[0])
+    world.step_until(2.0)
+    assert world.time == pytest.approx(2.0)
