@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+
 import trident_sim
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -38,9 +39,7 @@ def iris(autopilot: str, port: int) -> str:
 
 def make_world(autopilot: str, count: int = 1) -> tuple[trident_sim.World, list[int]]:
     """A world with `count` irises, 2 m apart, and the ports of their autopilots."""
-    world = trident_sim.World(
-        REPOSITORY / "worlds" / f"{autopilot}.world", seed=7, timing="direct"
-    )
+    world = trident_sim.World(REPOSITORY / "worlds" / f"{autopilot}.world", seed=7, timing="direct")
     kind = socket.SOCK_STREAM if autopilot == "px4" else socket.SOCK_DGRAM
     ports = []
     for i in range(count):
@@ -51,7 +50,7 @@ def make_world(autopilot: str, count: int = 1) -> tuple[trident_sim.World, list[
 
 @pytest.fixture
 def start() -> Iterator[StartStandIn]:
-    """Start stand-ins, by the autopilot's name, port and further options; they end with the test."""
+    """Starts stand-ins by autopilot, port and further options; they end with the test."""
     running: list[subprocess.Popen[bytes]] = []
 
     def start_one(autopilot: str, port: int, *options: str) -> subprocess.Popen[bytes]:

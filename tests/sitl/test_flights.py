@@ -10,8 +10,9 @@ import subprocess
 
 import numpy as np
 import pytest
-import trident_sim
 from conftest import StartStandIn, make_world
+
+import trident_sim
 
 AUTOPILOTS = ["px4", "ardupilot"]
 LANDED_S = 17.0

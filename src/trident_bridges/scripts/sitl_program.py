@@ -24,7 +24,7 @@ def stand_in(autopilot: str, instance: int) -> list[str]:
 
 
 def program(autopilot: str, instance: int) -> list[str]:
-    """The command of the autopilot's program; raises SystemExit where there is none."""
+    """The command of the autopilot's program; raises SystemExit where it does not exist."""
     variable = VARIABLES[autopilot]
     path = os.environ.get(variable, "")
     if not os.access(path, os.X_OK) or Path(path).is_dir():
@@ -33,7 +33,7 @@ def program(autopilot: str, instance: int) -> list[str]:
             "without one: stand_in:=true"
         )
     if autopilot == "px4":
-        # build/px4_sitl_default/bin/px4: its etc/ lies beside bin/
+        # build/px4_sitl_default/bin/px4: its etc/ lies next to bin/
         return [path, "-d", "-i", str(instance), str(Path(path).parents[1] / "etc")]
     return [path, "--model", "JSON:127.0.0.1", "-I", str(instance), "--slave", "0"]
 

@@ -32,7 +32,9 @@ Eigen::Quaterniond read_rotation(const sim::PluginParams& params, const char* ke
       node->attributes.begin(), node->attributes.end(),
       [](const auto& pair) { return pair.first == "degrees" && pair.second == "true"; });
   const double unit = is_degrees ? kPi / 180.0 : 1.0;
-  return SE3::from_xyz_rpy(Eigen::Vector3d::Zero(), unit * numbers[3], unit * numbers[4], unit * numbers[5]).R;
+  return SE3::from_xyz_rpy(Eigen::Vector3d::Zero(), unit * numbers[3], unit * numbers[4],
+                           unit * numbers[5])
+      .R;
 }
 
 sim::DriveSpec read_servo_drive(const sim::PluginParams& params, const std::string& type) {
@@ -58,14 +60,14 @@ ArduPilotPlugin::ArduPilotPlugin(const sim::PluginContext& context)
       outputs_(context,
                sim::vehicle_topic(context, context.params.text("motorSpeedCommandPubTopic",
                                                                "/gazebo/command/motor_speed"))),
-      airspeed_(world_, sim::vehicle_topic(
-                            context, context.params.text("airspeedSubTopic", "/airspeed"))),
+      airspeed_(world_,
+                sim::vehicle_topic(context, context.params.text("airspeedSubTopic", "/airspeed"))),
       link_(context.params.flag("lock_step", true),
             [this](Span<const std::uint8_t> block) { send(block); }) {
   const sim::PluginParams& params = context.params;
   read_frames(params);
-  for (const char* unused : {"fdm_port_out", "connectionTimeoutMaxCount", "imuName", "have_32_channels",
-                             "listen_addr"}) {
+  for (const char* unused : {"fdm_port_out", "connectionTimeoutMaxCount", "imuName",
+                             "have_32_channels", "listen_addr"}) {
     params.node(unused);  // of datagrams to a fixed port, of a count of lost ones, of a sensor
   }
   for (int i = 1;; ++i) {
@@ -124,9 +126,9 @@ void ArduPilotPlugin::read_control(const sim::PluginContext& context, const sim:
   report_unread(world_, params);
 }
 
-/// A rotor of a motor model takes the size of a speed: its own file says which way it turns.
-void ArduPilotPlugin::add_target(const sim::PluginContext& context,
-                                 const sim::PluginParams& params, Channel* channel) {
+/// A rotor of a motor model takes the size of a speed: its own plugin has the direction of turning.
+void ArduPilotPlugin::add_target(const sim::PluginContext& context, const sim::PluginParams& params,
+                                 Channel* channel) {
   const std::string type = params.text("type", "VELOCITY");
   if (type != "VELOCITY" && type != "POSITION" && type != "EFFORT" && type != "COMMAND") {
     params.refuse("type", type, "VELOCITY, POSITION, EFFORT or COMMAND");
@@ -164,15 +166,15 @@ void ArduPilotPlugin::pre_step(sim::Phase, sim::World&, const sim::StepInfo& inf
   if (link_.packets() != applied_) apply_servos(info);
 }
 
-/// An output of 0 us is none: the channel keeps its last value.
+/// An output of 0 us says nothing: the channel keeps its last value.
 void ArduPilotPlugin::apply_servos(const sim::StepInfo& info) {
   applied_ = link_.packets();
   const sitl::ServoPacket& packet = link_.servos();
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     const Channel& channel = channels_[i];
     if (channel.servo >= packet.channels || packet.pwm[channel.servo] == 0) continue;
-    const double part = (packet.pwm[channel.servo] - channel.servo_min) /
-                        (channel.servo_max - channel.servo_min);
+    const double part =
+        (packet.pwm[channel.servo] - channel.servo_min) / (channel.servo_max - channel.servo_min);
     outputs_.set(i, channel.multiplier * (std::clamp(part, 0.0, 1.0) + channel.offset),
                  channel.name);
   }

@@ -42,8 +42,8 @@ class ArduPilotPlugin : public sim::Plugin, public SitlPeer {
  private:
   /// How a servo output becomes a target.
   struct Channel {
-    std::string name;         ///< of the element, for reports
-    std::size_t servo = 0;    ///< index of the output
+    std::string name;       ///< of the element, for reports
+    std::size_t servo = 0;  ///< index of the output
     double multiplier = 1.0, offset = 0.0;
     double servo_min = 1000.0, servo_max = 2000.0;  ///< [us]
   };

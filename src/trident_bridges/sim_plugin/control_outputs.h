@@ -35,7 +35,7 @@ class ControlOutputs {
   void set(std::size_t channel, double value, const std::string& field);
   /// Hands the motors their speeds.
   void flush(SimTime now);
-  void reset();                             ///< all motors stand
+  void reset();                                                 ///< all motors stand
   void state(sim::StateArchive& archive) { archive(speeds_); }  ///< the motors' speeds
 
  private:

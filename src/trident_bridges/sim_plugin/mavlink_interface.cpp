@@ -74,9 +74,9 @@ void MavlinkInterface::refuse_other_modes(const sim::PluginParams& params) const
   if (!params.flag("use_tcp", true)) params.refuse("use_tcp", "false", "true: TCP alone");
   for (const char* unused :
        {"mavlink_udp_port", "qgc_addr", "qgc_udp_port", "sdk_addr", "sdk_udp_port", "serialDevice",
-        "baudRate", "hil_state_level", "send_vision_estimation", "send_odometry", "opticalFlowTopic",
-        "lidarSubTopic", "visionSubTopic", "vehicle_is_tailsitter", "enable_gimbal",
-        "protocol_version", "gst_udp_port", "video_uri", "use_left_elevon_pid"}) {
+        "baudRate", "hil_state_level", "send_vision_estimation", "send_odometry",
+        "opticalFlowTopic", "lidarSubTopic", "visionSubTopic", "vehicle_is_tailsitter",
+        "enable_gimbal", "protocol_version", "gst_udp_port", "video_uri", "use_left_elevon_pid"}) {
     params.node(unused);
   }
 }
@@ -177,7 +177,9 @@ void MavlinkInterface::send_sensors() {
   if (!is_due) return;
   const sim::ImuSample* const imu = imu_.newest();
   if (imu == nullptr) {
-    world_.diagnose({sim::Severity::kError, who(), "no IMU",
+    world_.diagnose({sim::Severity::kError,
+                     who(),
+                     "no IMU",
                      "<imuSubTopic> is '" + imu_.name() +
                          "', expected the topic of an IMU of the model; PX4 gets no sensors",
                      {}});

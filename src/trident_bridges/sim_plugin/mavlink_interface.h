@@ -15,9 +15,9 @@
 namespace trident::bridges {
 
 /// libgazebo_mavlink_interface.so: PX4 flies the model by its simulator API. It listens on TCP
-/// <mavlink_tcp_port>; sensors are those of the topics <imuSubTopic>, <magSubTopic>, <baroSubTopic>,
-/// <gpsSubTopic> and <airspeedSubTopic> below the vehicle; <control_channels> act on motors and
-/// joints.
+/// <mavlink_tcp_port>; sensors are those of the topics <imuSubTopic>, <magSubTopic>,
+/// <baroSubTopic>, <gpsSubTopic> and <airspeedSubTopic> below the vehicle; <control_channels> act
+/// on motors and joints.
 class MavlinkInterface : public sim::Plugin, public SitlPeer {
  public:
   /// Throws Error for a parameter out of range, or a port that is in use.
@@ -78,9 +78,9 @@ class MavlinkInterface : public sim::Plugin, public SitlPeer {
   PortReader<sim::ScalarSample> airspeed_;
   sim::SampleClock sensor_clock_, state_clock_;
   sitl::Px4Link link_;
-  sitl::HilSensor sensor_;           ///< with the newest of the slow sensors
-  sim::StepInfo step_;               ///< the one that has just been made
-  std::uint64_t applied_ = 0;        ///< HilControls::count of what the outputs have
+  sitl::HilSensor sensor_;     ///< with the newest of the slow sensors
+  sim::StepInfo step_;         ///< the one that has just been made
+  std::uint64_t applied_ = 0;  ///< HilControls::count of what the outputs have
 };
 
 }  // namespace trident::bridges

@@ -59,15 +59,16 @@ void SitlPeer::open(const sim::PluginParams& params, const std::string& element,
   who_ = owner_.substr(0, at) + ": " + program_ + " at " + endpoint_->name();
 }
 
-void SitlPeer::receive(double timeout_s) {
-  loop_.run_once(timeout_s);
-}
+void SitlPeer::receive(double timeout_s) { loop_.run_once(timeout_s); }
 
 void SitlPeer::send(Span<const std::uint8_t> block) {
   if (peer_ == 0) return;
   if (!endpoint_->send(peer_, block)) {
-    world_.diagnose({sim::Severity::kError, owner_, "packet not sent",
-                     "a packet to " + who_ + " was not sent: its queue is full", {}});
+    world_.diagnose({sim::Severity::kError,
+                     owner_,
+                     "packet not sent",
+                     "a packet to " + who_ + " was not sent: its queue is full",
+                     {}});
   }
 }
 

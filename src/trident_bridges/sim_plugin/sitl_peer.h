@@ -45,8 +45,8 @@ class SitlPeer : public sim::OutsideAutopilot {
   void wait_in_step();
   double wall_s() const { return loop_.now_s(); }  ///< never jumps
 
-  virtual void joined() {}                                ///< a peer is there
-  virtual void left() {}                                  ///< it has gone
+  virtual void joined() {}                                    ///< a peer is there
+  virtual void left() {}                                      ///< it has gone
   virtual void received(Span<const std::uint8_t> bytes) = 0;  ///< what it sent
 
  private:

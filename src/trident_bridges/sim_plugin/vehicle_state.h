@@ -14,7 +14,7 @@ inline Eigen::Vector3d flu_to_frd(const Eigen::Vector3d& v) { return {v.x(), -v.
 /// From east, north, up to north, east, down, and back.
 inline Eigen::Vector3d enu_to_ned(const Eigen::Vector3d& v) { return {v.y(), v.x(), -v.z()}; }
 
-/// The first link of a plugin's model, which its body moves with. Throws Error when there is none.
+/// The first link of a plugin's model, which its body moves with. Throws Error when it has no link.
 sim::Link& body_link(const sim::PluginContext& context);
 
 /// A link in the frames of aviation, and on the Earth.
@@ -25,10 +25,10 @@ class VehicleState {
   /// Other frames than the world's on the Earth, and the link's x forward, z up.
   void set_frames(const Eigen::Quaterniond& R_ned_world, const Eigen::Quaterniond& R_link_frd);
 
-  Eigen::Vector3d p_ned() const;            ///< from the world's origin [m]
-  Eigen::Vector3d v_ned() const;            ///< [m/s]
-  Eigen::Quaterniond R_ned_frd() const;     ///< of the body
-  Eigen::Vector3d w_frd() const;            ///< [rad/s]
+  Eigen::Vector3d p_ned() const;         ///< from the world's origin [m]
+  Eigen::Vector3d v_ned() const;         ///< [m/s]
+  Eigen::Quaterniond R_ned_frd() const;  ///< of the body
+  Eigen::Vector3d w_frd() const;         ///< [rad/s]
   /// Specific force over the last step of `dt_s` [m/s^2].
   Eigen::Vector3d a_frd(double dt_s) const;
   /// Latitude, longitude [deg] and altitude above the ellipsoid [m].

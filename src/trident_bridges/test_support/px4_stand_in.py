@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import signal
 import socket
 import sys
 import time
@@ -57,9 +58,10 @@ class Estimator:
         return dt
 
     def _calibrate(self) -> None:
+        count = len(self._rest)
         mean = [
-            tuple(sum(sample[i][axis] for sample in self._rest) / len(self._rest) for axis in range(3))
-            for i in range(3)
+            [sum(sample[kind][axis] for sample in self._rest) / count for axis in range(3)]
+            for kind in range(3)
         ]
         self._rest.clear()
         self._gyro_bias = (mean[0][0], mean[0][1], mean[0][2])
@@ -179,9 +181,7 @@ class Autopilot:
         if self._count == self._nan_at:
             controls[0] = math.nan
         mode = 0 if speeds is None else mavlink.MAV_MODE_FLAG_SAFETY_ARMED
-        answer = mavlink.MAVLink_hil_actuator_controls_message(
-            message.time_usec, controls, mode, 1
-        )
+        answer = mavlink.MAVLink_hil_actuator_controls_message(message.time_usec, controls, mode, 1)
         self._link.sendall(answer.pack(self._codec))
 
 
@@ -204,4 +204,5 @@ def main() -> int:
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # ends without a traceback
     sys.exit(main())

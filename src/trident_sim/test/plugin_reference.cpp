@@ -13,6 +13,7 @@
 #include "test_world.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
+#include "trident_bridges_sim/register_plugins.h"
 #include "trident_control_sim/lee_plugin.h"
 
 namespace trident::sim {
@@ -97,6 +98,7 @@ int main() {
   trident::sim::PluginRegistry shipped, recorded;
   trident::sim::register_builtin_plugins(shipped);
   trident::control::register_control_plugins(shipped);
+  trident::bridges::register_sitl_plugins(shipped);
   trident::sim::Reference reference;
   trident::sim::record(shipped, reference, recorded);
   for (const trident::sim::ReferenceCase& plugin : trident::sim::reference_cases()) {

@@ -147,6 +147,15 @@ void add_controllers(std::vector<ReferenceCase>& cases) {
   for (std::size_t i = cases.size() - 2; i < cases.size(); ++i) cases[i].needs_vehicle = true;
 }
 
+/// Whether their ports are free does not matter: what they ask for is kept.
+void add_outside_autopilots(std::vector<ReferenceCase>& cases) {
+  cases.push_back(of_model("libgazebo_mavlink_interface.so", {},
+                           {element("control_channels", {{"channel", ""}})}));
+  cases.push_back(of_model("libArduPilotPlugin.so", {},
+                           {element("control", {{"jointName", "rotor_0_joint"}})}));
+  for (std::size_t i = cases.size() - 2; i < cases.size(); ++i) cases[i].needs_vehicle = true;
+}
+
 void add_variants(std::vector<ReferenceCase>& cases) {
   cases.push_back(of_model("libtrident_follow.so", {{"followed", "case"}}));
   cases.push_back(variant("librotors_gazebo_wind_plugin.so",
@@ -162,7 +171,8 @@ void add_variants(std::vector<ReferenceCase>& cases) {
     cases.push_back(
         variant("librotors_gazebo_noisydepth_plugin.so", {{"depthNoiseModelName", model}}));
   }
-  for (const char* name : {"rotors_gazebo_ros_interface_plugin", "rotors_gazebo_bag_plugin"}) {
+  for (const char* name : {"rotors_gazebo_ros_interface_plugin", "rotors_gazebo_bag_plugin",
+                           "gazebo_groundtruth_plugin"}) {
     cases.push_back(of_model(name, {}));
   }
 }
@@ -179,6 +189,7 @@ std::vector<ReferenceCase> reference_cases() {
   add_hulls_of_uuv_simulator(cases);
   add_world_plugins(cases);
   add_controllers(cases);
+  add_outside_autopilots(cases);
   add_variants(cases);
   return cases;
 }

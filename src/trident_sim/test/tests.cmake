@@ -214,7 +214,7 @@ target_link_libraries(vessel_manoeuvre PRIVATE trident_sim_test_support)
 # What plugins ask of their elements, for docs/reference/plugins.md.
 add_executable(plugin_reference test/plugin_reference.cpp test/plugin_reference_cases.cpp)
 target_compile_options(plugin_reference PRIVATE -Wall -Wextra)
-target_link_libraries(plugin_reference PRIVATE trident_sim_test_support trident_control_sim)
+target_link_libraries(plugin_reference PRIVATE trident_sim_test_support trident_bridges_sim trident_control_sim)
 
 # One set of precompiled headers for all of them.
 foreach(test trident_sim_physics_test trident_sim_ground_test trident_sim_flight_test trident_sim_allocation_test

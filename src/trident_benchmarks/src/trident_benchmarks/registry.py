@@ -58,5 +58,6 @@ BENCHMARKS = (
     Benchmark("posegraph", "posegraph.benchmark", "compare pose-graph optimisation with GTSAM"),
     Benchmark("links", "links.benchmark", "compare radios with ns-3, and measure what they cost"),
     Benchmark("bridges", "bridges.benchmark", "measure bridges between ROS and other protocols"),
+    Benchmark("sitl", "sitl.benchmark", "fly with stand-ins for PX4 and ArduPilot in lockstep"),
     Benchmark("table", "sim.saved_table", "the Markdown table of a saved benchmark"),
 )

@@ -56,19 +56,18 @@ class Vehicle {
   }
 
   static PluginSpec plugin_of(const std::string& filename, const std::string& elements) {
-    const std::string sdf = "<sdf version='1.6'><model name='m'><link name='l'/><plugin name='sitl' "
-                            "filename='" + filename + "'>" + elements + "</plugin></model></sdf>";
-    return load_model_string(sdf, "test", Resources(std::vector<std::string>{}),
-                             [](const auto&) {})
+    const std::string sdf =
+        "<sdf version='1.6'><model name='m'><link name='l'/><plugin name='sitl' "
+        "filename='" +
+        filename + "'>" + elements + "</plugin></model></sdf>";
+    return load_model_string(sdf, "test", Resources(std::vector<std::string>{}), [](const auto&) {})
         .plugins.at(0);
   }
   World* operator->() { return &*world_; }
   std::size_t warnings(const std::string& fragment) const {
     return world_.report_count(Severity::kWarning, fragment);
   }
-  OutsideAutopilots& autopilots() {
-    return world_->extensions().get<OutsideAutopilots>(*world_);
-  }
+  OutsideAutopilots& autopilots() { return world_->extensions().get<OutsideAutopilots>(*world_); }
 
  private:
   TestWorld world_;
@@ -91,8 +90,8 @@ TEST(MavlinkInterface, BadElementsAreRefusedWithValueAndRange) {
   EXPECT_TRUE(contains(px4_refusal(kChannel + "<use_tcp>false</use_tcp>"),
                        "<use_tcp> is 'false', expected true"));
   EXPECT_TRUE(contains(px4_refusal(kChannel + "<hil_mode>true</hil_mode>"), "<hil_mode>"));
-  EXPECT_TRUE(contains(px4_refusal(kChannel + tcp_port() + "<imu_rate>0</imu_rate>"),
-                       "<imu_rate> is '0'"));
+  EXPECT_TRUE(
+      contains(px4_refusal(kChannel + tcp_port() + "<imu_rate>0</imu_rate>"), "<imu_rate> is '0'"));
   const std::string type = "<channel><joint_control_type>magic</joint_control_type></channel>";
   EXPECT_TRUE(contains(px4_refusal("<control_channels>" + type + "</control_channels>"),
                        "<joint_control_type> is 'magic', expected velocity, position"));
@@ -109,13 +108,15 @@ TEST(MavlinkInterface, APortInUseIsNamed) {
   const std::string port = std::to_string(owner->port());
   const std::string error =
       px4_refusal(kChannel + "<mavlink_tcp_port>" + port + "</mavlink_tcp_port>");
-  EXPECT_TRUE(contains(error, "<mavlink_tcp_port> is '" + port + "', expected a port that is free"));
+  EXPECT_TRUE(
+      contains(error, "<mavlink_tcp_port> is '" + port + "', expected a port that is free"));
 }
 
 TEST(MavlinkInterface, AJointOfAnotherVehicleIsOneWarningWithTheKnownOnes) {
   const std::string elements =
-      tcp_port() + "<control_channels><channel name='flap'><joint_name>zephyr::flap</joint_name>"
-                   "</channel></control_channels>";
+      tcp_port() +
+      "<control_channels><channel name='flap'><joint_name>zephyr::flap</joint_name>"
+      "</channel></control_channels>";
   Vehicle vehicle("libgazebo_mavlink_interface.so", elements);
   EXPECT_EQ(vehicle.warnings("channel 'flap': <joint_name> is 'zephyr::flap', expected"), 1U);
 }
@@ -149,9 +150,9 @@ TEST(ArduPilotPlugin, BadElementsAreRefusedWithValueAndRange) {
       "<control channel> is '40', expected an integer in [0, 31]"));
   EXPECT_TRUE(contains(ardupilot_refusal(kControl + "<fdm_port_in>0</fdm_port_in>"),
                        "<fdm_port_in> is '0'"));
-  EXPECT_TRUE(contains(
-      ardupilot_refusal(udp_port() + kControl + "<gazeboXYZToNED>0 0 x</gazeboXYZToNED>"),
-      "<gazeboXYZToNED> is '0 0 x', expected six numbers"));
+  EXPECT_TRUE(
+      contains(ardupilot_refusal(udp_port() + kControl + "<gazeboXYZToNED>0 0 x</gazeboXYZToNED>"),
+               "<gazeboXYZToNED> is '0 0 x', expected six numbers"));
 }
 
 TEST(ArduPilotPlugin, TheNextStepWaitsForAServoPacket) {

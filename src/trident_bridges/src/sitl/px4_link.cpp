@@ -58,7 +58,7 @@ void Px4Link::received(mavlink::Bytes bytes) {
 }
 
 /// PX4 answers with the time that HIL_SENSOR gave it. An answer to an earlier one came too late for
-/// its step; a time that is none of ours says nothing, and the answer counts.
+/// its step; a time that is not ours says nothing, and the answer counts.
 void Px4Link::take_answer(const mavlink::Message& message) {
   const auto answer = mavlink::unpack<mavlink_hil_actuator_controls_t>(message);
   if (asked_count_ == 0) return;  // to a connection before this one
@@ -105,7 +105,8 @@ void Px4Link::send_sensor(SimTime now, const HilSensor& sensor, double wall_s) {
 void Px4Link::send_gps(SimTime stamp, const HilGps& gps) {
   if (!is_connected_) return;
   mavlink_hil_gps_t out{};
-  out.time_usec = static_cast<std::uint64_t>(std::max<std::int64_t>(0, stamp.ns / 1000 + shift_us_));
+  out.time_usec =
+      static_cast<std::uint64_t>(std::max<std::int64_t>(0, stamp.ns / 1000 + shift_us_));
   out.fix_type = GPS_FIX_TYPE_3D_FIX;
   out.lat = to_wire<std::int32_t>(gps.latitude_deg * 1e7);
   out.lon = to_wire<std::int32_t>(gps.longitude_deg * 1e7);

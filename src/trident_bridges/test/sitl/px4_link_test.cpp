@@ -95,7 +95,7 @@ TEST(Px4Link, AnAnswerToAnEarlierSensorDoesNotCount) {
   EXPECT_FALSE(rig.link.is_awaited(0.0));
 }
 
-TEST(Px4Link, OneThatIsGoneIsWaitedForAndEnrolsAgain) {
+TEST(Px4Link, OneThatIsGoneIsWaitedForAndJoinsAgain) {
   Px4Rig rig;
   rig.link.connected();
   rig.link.send_sensor(ms(4), {}, 0.0);

@@ -25,9 +25,9 @@ TEST(BuiltinPlugins, AllHaveAnExample) {
   for (const std::string& name : registry.names()) {
     if (!registry.find(name)->example) without.insert(name);
   }
-  // Three do nothing here: ROS is bound by the server, bags are written by rosbag, the true state is
-  // sent by libgazebo_mavlink_interface.so. The others have no
-  // port with numbers, or want a file or elements in elements; their tests are follow_test.cpp,
+  // Three do nothing here: ROS is bound by the server, bags are written by rosbag, the true state
+  // is sent by libgazebo_mavlink_interface.so. The others have no port with numbers, or want a file
+  // or elements in elements; their tests are follow_test.cpp,
   // marine/{buoyancy,mooring,sea_plugin,usv_plugins,uuv_plugins,vessel_plugin,wind_on_vehicles}_test.cpp,
   // comms/radio_plugins_test.cpp and trident_description's test_vessels.py.
   const std::set<std::string> expected{"rotors_gazebo_ros_interface_plugin",

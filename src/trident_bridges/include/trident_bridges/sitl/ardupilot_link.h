@@ -16,10 +16,10 @@ namespace trident::bridges::sitl {
 
 /// The newest packet of servo outputs.
 struct ServoPacket {
-  std::uint16_t frame_rate_hz = 0;        ///< steps of physics that ArduPilot asks for
-  std::uint32_t frame_count = 0;          ///< counts its packets; begins again with its program
-  std::array<std::uint16_t, 32> pwm{};    ///< [us]; 0: that servo has no output
-  std::size_t channels = 0;               ///< 16 or 32 of them count
+  std::uint16_t frame_rate_hz = 0;      ///< steps of physics that ArduPilot asks for
+  std::uint32_t frame_count = 0;        ///< counts its packets; begins again with its program
+  std::array<std::uint16_t, 32> pwm{};  ///< [us]; 0: that servo has no output
+  std::size_t channels = 0;             ///< 16 or 32 of them count
 };
 
 /// What the answer of the simulator carries.
@@ -54,7 +54,8 @@ class ArduPilotLink {
   /// A datagram of ArduPilot. Throws Error for one that is no packet of servo outputs, and ignores
   /// it.
   void received(Span<const std::uint8_t> datagram);
-  /// The state after the step that the newest packet was for. Nothing is sent without such a packet.
+  /// The state after the step that the newest packet was for. Nothing is sent without such a
+  /// packet.
   void send_state(const JsonState& state);
   /// The program is not there any more: it has to send a packet before the world continues.
   void disconnected();
@@ -62,13 +63,13 @@ class ArduPilotLink {
 
   /// Whether the next step that ends with a state must wait for a packet.
   bool is_awaited() const { return lockstep_ && !is_given_up_ && !has_packet_; }
-  bool has_joined() const { return joins_ > 0; }           ///< a packet has come, now or before
-  bool is_gone() const { return is_gone_; }                ///< disconnected() since the last packet
-  const ServoPacket& servos() const { return servos_; }    ///< of the newest packet
-  std::uint64_t packets() const { return packets_; }       ///< that were no repeats
-  std::uint64_t repeats() const { return repeats_; }       ///< packets that came twice
-  std::uint64_t joins() const { return joins_; }           ///< programs that began
-  SimTime answered() const { return answered_; }           ///< stamp of the last answer
+  bool has_joined() const { return joins_ > 0; }         ///< a packet has come, now or before
+  bool is_gone() const { return is_gone_; }              ///< disconnected() since the last packet
+  const ServoPacket& servos() const { return servos_; }  ///< of the newest packet
+  std::uint64_t packets() const { return packets_; }     ///< that were no repeats
+  std::uint64_t repeats() const { return repeats_; }     ///< packets that came twice
+  std::uint64_t joins() const { return joins_; }         ///< programs that began
+  SimTime answered() const { return answered_; }         ///< stamp of the last answer
 
  private:
   bool lockstep_;
@@ -77,7 +78,7 @@ class ArduPilotLink {
   bool has_packet_ = false, is_given_up_ = false, is_gone_ = false;
   std::uint64_t packets_ = 0, repeats_ = 0, joins_ = 0;
   SimTime answered_{-1};
-  std::int64_t shift_ns_ = 0;   ///< from simulated time to ArduPilot's, which never returns
+  std::int64_t shift_ns_ = 0;  ///< from simulated time to ArduPilot's, which never returns
   std::int64_t newest_ns_ = -1;
   std::string answer_;
 };

@@ -26,8 +26,8 @@ struct HilSensor {
     kDifferentialPressure = 0x400,
     kReset = 0x80000000U  ///< time or state has jumped
   };
-  Eigen::Vector3d a_frd = Eigen::Vector3d::Zero();  ///< specific force [m/s^2]
-  Eigen::Vector3d w_frd = Eigen::Vector3d::Zero();  ///< [rad/s]
+  Eigen::Vector3d a_frd = Eigen::Vector3d::Zero();               ///< specific force [m/s^2]
+  Eigen::Vector3d w_frd = Eigen::Vector3d::Zero();               ///< [rad/s]
   Eigen::Vector3d magnetic_frd_gauss = Eigen::Vector3d::Zero();  ///< [gauss]
   double pressure_hpa = 0.0;                                     ///< static [hPa]
   double differential_pressure_hpa = 0.0;                        ///< of the airspeed sensor [hPa]
@@ -78,9 +78,9 @@ class Px4Link {
   Px4Link(bool lockstep, double free_period_s, Send send)
       : lockstep_(lockstep), free_period_s_(free_period_s), send_(std::move(send)) {}
 
-  void connected();      ///< PX4 has connected; it has answered nothing yet
-  void disconnected();   ///< it has gone, and has to connect before the world continues
-  void give_up();        ///< not waited for until it connects, or answers, again
+  void connected();     ///< PX4 has connected; it has answered nothing yet
+  void disconnected();  ///< it has gone, and has to connect before the world continues
+  void give_up();       ///< not waited for until it connects, or answers, again
   /// Bytes of the stream from PX4, in pieces of any size.
   void received(mavlink::Bytes bytes);
 
@@ -118,8 +118,8 @@ class Px4Link {
   mavlink::PacketWriter writer_;
   bool is_connected_ = false, was_connected_ = false, is_given_up_ = false;
   bool has_answered_ = false;
-  bool is_asked_ = false;           ///< a HIL_SENSOR is without its answer
-  std::uint64_t asked_count_ = 0;   ///< in this connection
+  bool is_asked_ = false;          ///< a HIL_SENSOR is without its answer
+  std::uint64_t asked_count_ = 0;  ///< in this connection
   double asked_wall_s_ = 0.0;
   SimTime asked_;
   std::uint64_t first_us_ = 0, asked_us_ = 0;  ///< of HIL_SENSORs of this connection

@@ -9,9 +9,9 @@
 #include "comms/plugins/relay_ports.h"
 #include "comms/relay/relay_rules.h"
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "trident_base/error.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "trident_sim/sample_clock.h"
 #include "trident_base/string_util.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 #include "vessel_body.h"
 
 namespace trident::sim {

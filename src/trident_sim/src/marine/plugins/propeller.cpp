@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/plugins/joint_states.h"
-#include "trident_sim/sample_clock.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 namespace {

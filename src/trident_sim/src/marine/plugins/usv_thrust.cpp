@@ -7,10 +7,10 @@
 
 #include "actuator_input.h"
 #include "core/plugins/joint_states.h"
-#include "trident_sim/sample_clock.h"
 #include "marine/vessel/thruster.h"
 #include "trident_base/angle.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 #include "vessel_body.h"
 
 namespace trident::sim {

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "marine/environment/wind_gusts.h"
 #include "marine/vessel/vessel_dynamics.h"
 #include "trident_base/angle.h"
 #include "trident_base/string_util.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 #include "trident_sim/sea.h"
 #include "trident_sim/text_sample.h"
 

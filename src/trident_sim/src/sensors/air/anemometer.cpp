@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "trident_base/angle.h"
 #include "trident_base/noise.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 #include "trident_sim/sea.h"
 #include "trident_sim/text_sample.h"
 #include "trident_sim/vector_sample.h"

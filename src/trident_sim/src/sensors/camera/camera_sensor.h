@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "camera_outputs.h"
-#include "trident_sim/sample_clock.h"
 #include "sensors/command_input.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 

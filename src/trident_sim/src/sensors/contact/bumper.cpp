@@ -4,9 +4,9 @@
 
 #include "core/plugins/model_params.h"
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "trident_base/error.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 namespace {

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "trident_base/vehicle/wheel_encoder.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/noise.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 namespace {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axis_noise.h"
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "sensors/command_input.h"
 #include "trident_base/error.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 namespace {

@@ -7,13 +7,13 @@
 
 #include "axis_noise.h"
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "sensors/lidar/example_lidar.h"
 #include "sensors/lidar/ray_bundle.h"
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_base/random_stream.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 #include "trident_sim/vector_sample.h"
 
 namespace trident::sim {

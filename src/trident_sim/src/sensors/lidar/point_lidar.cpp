@@ -6,13 +6,13 @@
 #include "beam_caster.h"
 #include "core/plugins/model_params.h"
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "lidar_pattern.h"
 #include "lidar_spec.h"
 #include "rolling_sweep.h"
 #include "sensors/lidar/example_lidar.h"
 #include "trident_base/error.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 namespace {

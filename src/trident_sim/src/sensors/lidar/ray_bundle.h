@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "beam_caster.h"
-#include "trident_sim/sample_clock.h"
 #include "lidar_spec.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "sensors/air/air_pressure.h"
 #include "trident_base/random_stream.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 #include "trident_sim/sea.h"
 
 namespace trident::sim {
@@ -98,8 +98,7 @@ class Px4Airspeed : public Plugin {
 
 const PluginRegistrar kGazeboBarometerPlugin(
     "libgazebo_barometer_plugin.so", factory_of<Px4Barometer>(),
-    PluginExample{
-        "<pubRate>0</pubRate>", {}, {"pubRate", "baroDriftPaPerSec", "noiseStdDev"}});
+    PluginExample{"<pubRate>0</pubRate>", {}, {"pubRate", "baroDriftPaPerSec", "noiseStdDev"}});
 const PluginRegistrar kGazeboAirspeedPlugin(
     "libgazebo_airspeed_plugin.so", factory_of<Px4Airspeed>(),
     PluginExample{"<pubRate>0</pubRate>", {}, {"pubRate", "noiseStdDev"}});

@@ -5,10 +5,10 @@
 #include <deque>
 
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "trident_base/angle.h"
 #include "trident_base/noise.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 namespace {
@@ -58,8 +58,7 @@ class Px4Gps : public MeasuringPlugin {
     earth_.Reset(origin.latitude_deg, origin.longitude_deg, origin.elevation_m);
     R_enu_world_ = Eigen::AngleAxisd(deg_to_rad(origin.heading_deg), Eigen::Vector3d::UnitZ())
                        .toRotationMatrix();
-    const std::string topic =
-        vehicle_topic(context, context.params.text("gpsTopic", "gps"));
+    const std::string topic = vehicle_topic(context, context.params.text("gpsTopic", "gps"));
     fix_ = advertise<GnssFixSample>(context, topic, PortRank::kSensor);
     speed_ = advertise<TwistSample>(context, topic + "_velocity", PortRank::kSensor);
     fix_->value.frame = speed_->value.frame = link_.name;
@@ -150,11 +149,11 @@ class Px4Gps : public MeasuringPlugin {
 
 const PluginRegistrar kGazeboGpsPlugin(
     "libgazebo_gps_plugin.so", factory_of<Px4Gps>(),
-    PluginExample{"<updateRate>0</updateRate><gpsDelay>0.02</gpsDelay><gpsNoise>true</gpsNoise>",
-                  {},
-                  {"updateRate", "gpsDelay", "gpsXYRandomWalk", "gpsZRandomWalk",
-                   "gpsXYNoiseDensity", "gpsZNoiseDensity", "gpsVXYNoiseDensity",
-                   "gpsVZNoiseDensity"}});
+    PluginExample{
+        "<updateRate>0</updateRate><gpsDelay>0.02</gpsDelay><gpsNoise>true</gpsNoise>",
+        {},
+        {"updateRate", "gpsDelay", "gpsXYRandomWalk", "gpsZRandomWalk", "gpsXYNoiseDensity",
+         "gpsZNoiseDensity", "gpsVXYNoiseDensity", "gpsVZNoiseDensity"}});
 
 /// PX4's ground truth goes to the autopilot by libgazebo_mavlink_interface.so itself.
 std::unique_ptr<Plugin> ignore(const PluginContext& /*context*/) { return nullptr; }

@@ -3,17 +3,17 @@
 #include <cmath>
 
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/sample_clock.h"
 #include "geomagnetic_dipole.h"
 #include "trident_base/angle.h"
 #include "trident_base/noise.h"
 #include "trident_sim/plugin_registry.h"
+#include "trident_sim/sample_clock.h"
 
 namespace trident::sim {
 
 Eigen::Vector3d geomagnetic_dipole_enu(double latitude_deg, double longitude_deg,
                                        double altitude_m) {
-  constexpr double kRadius = 6371.2e3;                                    // [m]
+  constexpr double kRadius = 6371.2e3;                                          // [m]
   const Eigen::Vector3d g = Eigen::Vector3d(-1450.9, 4652.5, -29404.8) * 1e-9;  // g11, h11, g10 [T]
   const double lat = deg_to_rad(latitude_deg), lon = deg_to_rad(longitude_deg);
   const Eigen::Vector3d up(std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon),
@@ -42,8 +42,8 @@ class Px4Magnetometer : public MeasuringPlugin {
     const PluginParams& params = context.params;
     read_field(context);
     const Limits not_negative{0.0, 1e12}, positive{1e-9, 1e12};
-    period_s_ = clock_.rate_hz() > 0.0 ? 1.0 / clock_.rate_hz()
-                                       : context.world.physics().max_step_size_s;
+    period_s_ =
+        clock_.rate_hz() > 0.0 ? 1.0 / clock_.rate_hz() : context.world.physics().max_step_size_s;
     white_.density = kTeslaPerGauss * params.number("noiseDensity", 0.4e-3, not_negative);
     GaussMarkovParams bias;
     bias.random_walk = kTeslaPerGauss * params.number("randomWalk", 6.4e-6, not_negative);
@@ -69,8 +69,8 @@ class Px4Magnetometer : public MeasuringPlugin {
     const std::uint64_t index = clock_.count_at(info);
     Eigen::Vector3d field = link_.T_world_link().R.conjugate() * field_world_;
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
-      field[axis] += white_.sample(stream_, index, axis, period_s_) +
-                     biases_[axis].sample(stream_, index);
+      field[axis] +=
+          white_.sample(stream_, index, axis, period_s_) + biases_[axis].sample(stream_, index);
     }
     magnetic_->value.stamp = info.end;
     magnetic_->value.field_t = field;
@@ -83,8 +83,8 @@ class Px4Magnetometer : public MeasuringPlugin {
   /// The dipole's, where the file gives no other.
   void read_field(const PluginContext& context) {
     const SphericalCoordinates& origin = context.world.spherical();
-    const Eigen::Vector3d dipole = geomagnetic_dipole_enu(
-        origin.latitude_deg, origin.longitude_deg, origin.elevation_m);
+    const Eigen::Vector3d dipole =
+        geomagnetic_dipole_enu(origin.latitude_deg, origin.longitude_deg, origin.elevation_m);
     const Limits field{-1e-3, 1e-3};  // twenty times the strongest on earth
     const Eigen::Vector3d enu(context.params.number("refMagEast", dipole.x(), field),
                               context.params.number("refMagNorth", dipole.y(), field),

@@ -92,11 +92,11 @@ std::unique_ptr<Plugin> make_vehicle_imu(const PluginContext& context) {
 }
 
 const PluginExample kImuExample{
-        "<linkName>base_link</linkName>",
-        {"linkName"},
-        {"gyroscopeNoiseDensity", "gyroscopeRandomWalk", "gyroscopeBiasCorrelationTime",
-         "gyroscopeTurnOnBiasSigma", "accelerometerNoiseDensity", "accelerometerRandomWalk",
-         "accelerometerBiasCorrelationTime", "accelerometerTurnOnBiasSigma"}};
+    "<linkName>base_link</linkName>",
+    {"linkName"},
+    {"gyroscopeNoiseDensity", "gyroscopeRandomWalk", "gyroscopeBiasCorrelationTime",
+     "gyroscopeTurnOnBiasSigma", "accelerometerNoiseDensity", "accelerometerRandomWalk",
+     "accelerometerBiasCorrelationTime", "accelerometerTurnOnBiasSigma"}};
 
 const PluginRegistrar kRotorsGazeboImuPlugin("librotors_gazebo_imu_plugin.so", factory_of<Imu>(),
                                              kImuExample);

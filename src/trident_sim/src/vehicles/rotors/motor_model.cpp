@@ -39,8 +39,8 @@ class MotorModel : public Plugin {
     constants_.slowdown = params.number("rotorVelocitySlowdownSim", 10.0, positive);
     command_ = subscribe<ActuatorCommand>(
         context, name_of(context, params.text("commandSubTopic", "command/motor_speed")));
-    wind_ = subscribe<WindSample>(
-        context, name_of(context, params.text("windSpeedSubTopic", "wind_speed")));
+    wind_ = subscribe<WindSample>(context,
+                                  name_of(context, params.text("windSpeedSubTopic", "wind_speed")));
     speed_ = advertise<ScalarSample>(
         context, name_of(context, params.text("motorSpeedPubTopic", "motor_speed")),
         PortRank::kState);
@@ -197,19 +197,19 @@ std::unique_ptr<Plugin> make_vehicle_motor(const PluginContext& context) {
 }
 
 const PluginExample kMotorExample{
-        "<jointName>rotor_1_joint</jointName><linkName>rotor_1</linkName>"
-        "<turningDirection>ccw</turningDirection><motorNumber>1</motorNumber>"
-        "<commandSubTopic>gazebo/command/motor_speed</commandSubTopic>"
-        "<motorSpeedPubTopic>motor_speed/1</motorSpeedPubTopic>"
-        "<timeConstantUp>0.02</timeConstantUp><timeConstantDown>0.05</timeConstantDown>"
-        "<maxRotVelocity>900</maxRotVelocity><motorConstant>1.2e-5</motorConstant>"
-        "<momentConstant>0.02</momentConstant><rotorDragCoefficient>0</rotorDragCoefficient>"
-        "<rollingMomentCoefficient>0</rollingMomentCoefficient>"
-        "<rotorVelocitySlowdownSim>10</rotorVelocitySlowdownSim>",
-        {"jointName", "linkName", "motorNumber", "turningDirection"},
-        {"motorNumber", "timeConstantUp", "timeConstantDown", "maxRotVelocity", "motorConstant",
-         "momentConstant", "rotorDragCoefficient", "rollingMomentCoefficient",
-         "rotorVelocitySlowdownSim"}};
+    "<jointName>rotor_1_joint</jointName><linkName>rotor_1</linkName>"
+    "<turningDirection>ccw</turningDirection><motorNumber>1</motorNumber>"
+    "<commandSubTopic>gazebo/command/motor_speed</commandSubTopic>"
+    "<motorSpeedPubTopic>motor_speed/1</motorSpeedPubTopic>"
+    "<timeConstantUp>0.02</timeConstantUp><timeConstantDown>0.05</timeConstantDown>"
+    "<maxRotVelocity>900</maxRotVelocity><motorConstant>1.2e-5</motorConstant>"
+    "<momentConstant>0.02</momentConstant><rotorDragCoefficient>0</rotorDragCoefficient>"
+    "<rollingMomentCoefficient>0</rollingMomentCoefficient>"
+    "<rotorVelocitySlowdownSim>10</rotorVelocitySlowdownSim>",
+    {"jointName", "linkName", "motorNumber", "turningDirection"},
+    {"motorNumber", "timeConstantUp", "timeConstantDown", "maxRotVelocity", "motorConstant",
+     "momentConstant", "rotorDragCoefficient", "rollingMomentCoefficient",
+     "rotorVelocitySlowdownSim"}};
 
 const PluginRegistrar kRotorsGazeboMotorModel("librotors_gazebo_motor_model.so",
                                               factory_of<MotorModel>(velocity_controlled_joint),

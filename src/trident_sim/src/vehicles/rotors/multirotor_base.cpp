@@ -39,8 +39,7 @@ class MultirotorBase : public MeasuringPlugin {
       }
     }
     motor_speed_ = advertise<ActuatorState>(
-        context, name_of(context, params.text("motorPubTopic", "motor_speed")),
-        PortRank::kState);
+        context, name_of(context, params.text("motorPubTopic", "motor_speed")), PortRank::kState);
     joint_states_ = advertise<JointStateSample>(
         context, name_of(context, params.text("jointStatePubTopic", "joint_states")),
         PortRank::kState);
