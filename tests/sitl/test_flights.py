@@ -85,3 +85,21 @@ def test_one_that_is_killed_is_named_and_one_that_is_started_again_continues(
     start("px4", ports[0])
     world.step_until(2.0)
     assert world.time == pytest.approx(2.0)
+
+
+def test_a_control_that_is_no_number_is_one_message_and_the_flight_continues(
+    start: StartStandIn,
+) -> None:
+    world, ports = make_world("px4")
+    start("px4", ports[0], "--nan-at", "900")
+    with pytest.warns(trident_sim.SimulationWarning, match="'rotor0' is nan, legal: finite"):
+        world.step_until(5.0)
+    assert height(world) > 2.0
+    assert sum("nan" in message.text for message in world.messages) == 1
+
+
+def test_one_that_boots_is_given_time_until_its_first_answer(start: StartStandIn) -> None:
+    world, ports = make_world("px4")
+    start("px4", ports[0], "--silent", "50")
+    world.step_until(0.4)
+    assert world.time == pytest.approx(0.4)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trident_base/error.h"
+#include "trident_base/random_stream.h"
 
 namespace trident::bridges::sitl {
 namespace {
@@ -67,6 +68,22 @@ TEST(ServoPacket, ABadOneIsRefusedWithFieldValueAndRange) {
   EXPECT_EQ(error_of(servo_packet(1, 400, 29569)),
             "servo packet: length is 40 bytes, legal with magic 29569: 72");
   EXPECT_EQ(error_of({1, 2, 3}), "servo packet: length is 3 bytes, legal: 40 or 72");
+}
+
+TEST(ServoPacket, RandomBytesAreRefusedOrHaveChannels) {
+  const RandomStream random(1, "servo packets");
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    Datagram bytes(random.bits(i, 0) % 80);
+    for (std::size_t k = 0; k < bytes.size(); ++k) {
+      bytes[k] = static_cast<std::uint8_t>(random.bits(i, static_cast<std::uint32_t>(k + 1)));
+    }
+    if (i % 2 == 0 && bytes.size() >= 2) bytes[0] = 18458 & 0xFF, bytes[1] = 18458 >> 8;
+    try {
+      EXPECT_EQ(parse_servo_packet(span(bytes)).channels, 16U);
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("legal"), std::string::npos);
+    }
+  }
 }
 
 TEST(ArduPilotLink, EachPacketIsOneStepAndOneAnswer) {
