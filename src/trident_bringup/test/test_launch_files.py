@@ -21,6 +21,7 @@ REQUIRED_ARGS = {
     "uav.launch": ["namespace:=UAV1"],
     "localization.launch": ["map_file:=map.yaml"],
     "navigation.launch": ["map_file:=map.yaml"],
+    "sitl_vehicle.launch": ["autopilot:=px4", "instance:=0"],
     **{
         f"coast_{kind}.launch": [
             f"ns:={kind}1",
