@@ -82,10 +82,10 @@ template <typename Message>
 ros::SubscribeOptions raw_subscription(const std::string& topic, std::uint32_t queue_size,
                                        RawSubscriptionHelper::Handler handler,
                                        ros::CallbackQueueInterface* queue) {
-  return raw_subscription(topic, queue_size,
-                          {ros::message_traits::datatype<Message>(),
-                           ros::message_traits::md5sum<Message>()},
-                          std::move(handler), queue);
+  return raw_subscription(
+      topic, queue_size,
+      {ros::message_traits::datatype<Message>(), ros::message_traits::md5sum<Message>()},
+      std::move(handler), queue);
 }
 
 /// The same, and publishers in this process hand their objects to `on_object`.

@@ -6,8 +6,8 @@
 Runs in the namespace of a modbus_client_node. Parameters: ~plan, a list of [time, left, right]:
 from that simulated time on the shaft speeds are commanded at 10 Hz [s, rad/s]; a last entry of
 [time] is where it falls silent. ~lights [s], when they are switched on; ~vessel, the namespace of
-the vessel; ~timeout [s], after which the PLC is to make speeds safe; ~out_dir, without which nothing
-is written. Writes plc.csv (t, end, what, value) and plc.json.
+the vessel; ~timeout [s], after which the PLC is to make speeds safe; ~out_dir, without which
+nothing is written. Writes plc.csv (t, end, what, value) and plc.json.
 """
 
 from __future__ import annotations

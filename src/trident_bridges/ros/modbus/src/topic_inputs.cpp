@@ -22,9 +22,9 @@ class TopicInputs::Topic {
       : context_(context), bindings_(std::move(bindings)) {
     name_ = node.resolveName(bindings_[0].topic);
     // Publishers of any type are heard, so that one of a wrong type is named with the map's line.
-    subscription_ = context_.loop.subscribe_bytes(
-        node, name_, kQueueSize, {bindings_[0].message, "*"},
-        [this](Span<const std::uint8_t> bytes) { receive(bytes); });
+    subscription_ =
+        context_.loop.subscribe_bytes(node, name_, kQueueSize, {bindings_[0].message, "*"},
+                                      [this](Span<const std::uint8_t> bytes) { receive(bytes); });
   }
 
   const std::string& name() const { return name_; }

@@ -135,7 +135,8 @@ def silences(log: PlcLog, propeller: str, end_s: float) -> list[float | None]:
 
 def register_errors(log: PlcLog, propeller: str) -> Array:
     """How far each thrust that the client read is from the nearest one that was measured [N]."""
-    read, measured = log.of("client", f"{propeller}_thrust"), log.of("vessel", f"{propeller}_thrust")
+    thrust = f"{propeller}_thrust"
+    read, measured = log.of("client", thrust), log.of("vessel", thrust)
     errors = []
     for time, value in zip(read.time, read.value, strict=True):
         near = (measured.time >= time - _LOOK_BACK_S) & (measured.time <= time + 0.1)
@@ -164,6 +165,7 @@ def judge_plc(tracks: Tracks, log: PlcLog, run: dict[str, Any]) -> Verdict:
     heard = np.concatenate([log.of("vessel", f"{side}_command").value for side in PROPELLERS])
     track = tracks.select([log.vessel]).position[:, 0]
     track = track[np.isfinite(track).all(axis=1)]
+    shone, seen = log.of("vessel", "lights"), log.of("client", "lights")
     numbers: dict[str, Any] = {
         "commands": len(delays),
         "commands_arrived": len(_known(delays)),
@@ -177,7 +179,7 @@ def judge_plc(tracks: Tracks, log: PlcLog, run: dict[str, Any]) -> Verdict:
         "stopped_limit_s": log.timeout_s + SAFE_SLACK_S,
         "registers_read": len(errors),
         "register_error_max_n": float(errors.max()) if len(errors) else None,
-        "lights": bool(len(log.of("vessel", "lights").time) and log.of("client", "lights").value.any()),
+        "lights": bool(len(shone.time) and seen.value.any()),
         "distance_m": float(lengths(np.diff(track[:, :2], axis=0)).sum()),
     }
     verdict = Verdict({"mode": "plc", "vehicles": [log.vessel], "plc": numbers}, _reasons(numbers))
