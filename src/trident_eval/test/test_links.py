@@ -18,7 +18,8 @@ from trident_eval.core.errors import EvalError
 from trident_eval.core.links import read_links
 from trident_eval.core.radio_verdict import add_links
 from trident_eval.core.relay import judge_links, read_relay
-from trident_eval.core.report import Row, table, verdict_rows
+from trident_eval.core.report import table, verdict_rows
+from trident_eval.core.rows import Row
 from trident_eval.core.verdict import Verdict
 
 GOOD_LINE = "0.5,a,b,10,20,7,1,0,0,0,1,0,0"

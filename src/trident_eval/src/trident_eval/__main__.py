@@ -16,33 +16,18 @@ import numpy as np
 
 from trident_eval.bag import read_bag
 from trident_eval.core.animation import animate
-from trident_eval.core.client_flights import (
-    judge_client_flights,
-    judge_piloted,
-    missions_of,
-    read_client_record,
-)
 from trident_eval.core.errors import EvalError
 from trident_eval.core.exit_codes import exit_code_of
 from trident_eval.core.faults import add_faults, read_faults
 from trident_eval.core.flight_records import Command, read_command
-from trident_eval.core.link_plots import draw_links
-from trident_eval.core.link_trial import add_trial, read_stations
-from trident_eval.core.links import read_links
 from trident_eval.core.log_warnings import log_warnings
-from trident_eval.core.mission_plots import draw_missions
-from trident_eval.core.missions import Mission, judge_missions, read_missions, read_piloted
-from trident_eval.core.nmea import add_nmea, read_nmea
-from trident_eval.core.nmea_plots import draw_nmea
+from trident_eval.core.missions import read_missions
 from trident_eval.core.page import Report, page
-from trident_eval.core.plc import judge_plc, read_plc
-from trident_eval.core.plc_plots import draw_plc
 from trident_eval.core.plots import draw_all
 from trident_eval.core.provenance import Provenance, read_object, read_provenance
-from trident_eval.core.radio_verdict import add_links
 from trident_eval.core.report import table
 from trident_eval.core.scene import Scene, formation_scene
-from trident_eval.core.station_plots import draw_stations
+from trident_eval.core.subjects import add_subjects, draw_subjects, judge_subject
 from trident_eval.core.tracks import NoStatesError, read_states
 from trident_eval.core.vehicles import flights
 from trident_eval.core.verdict import Verdict, judge, take_over
@@ -96,9 +81,7 @@ def _verdict(options: argparse.Namespace) -> int:
         scene, verdict = _judge_folder(folder)
     except EvalError as error:
         verdict = _without_results(folder, error)
-    add_links(verdict, folder)
-    add_trial(verdict, folder)
-    add_nmea(verdict, folder)
+    add_subjects(verdict, folder)
     add_faults(verdict, read_faults(folder), notes)
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)
@@ -135,7 +118,7 @@ def _recover(options: argparse.Namespace) -> int:
 
 def _tour_verdict(folder: Path, record: dict[str, Any], notes: list[str], draw: bool) -> int:
     found, verdict = tour.judge_tour(folder, record)
-    add_links(verdict, folder)
+    add_subjects(verdict, folder)
     add_faults(verdict, read_faults(folder), notes)
     numbers = verdict.to_json()
     text = json.dumps(numbers, indent=2, allow_nan=False)
@@ -150,9 +133,7 @@ def _report(options: argparse.Namespace) -> int:
     source: Path = options.source
     if source.is_dir():
         scene, verdict = _judge_folder(source)
-        add_links(verdict, source)
-        add_trial(verdict, source)
-        add_nmea(verdict, source)
+        add_subjects(verdict, source)
         add_faults(verdict, read_faults(source), [])
         numbers: dict[str, Any] | None = verdict.to_json()
         folder = options.out or source
@@ -175,55 +156,26 @@ def _show_frames(count: int, total: int) -> None:
 
 def _judge_folder(folder: Path) -> tuple[Scene, Verdict]:
     tracks = read_states(folder / "states.csv")
-    if record := read_client_record(folder):
-        scene = Scene(folder.resolve().name, tracks.select(list(record)))
-        return scene, judge_client_flights(tracks, record, read_object(folder / "run.json"))
-    if piloted := read_piloted(folder):
-        scene = Scene(folder.resolve().name, tracks.select(piloted))
-        return scene, judge_piloted(tracks, piloted, read_object(folder / "run.json"))
-    if missions := read_missions(folder):
-        scene = Scene(folder.resolve().name, tracks.select([mission.name for mission in missions]))
-        return scene, judge_missions(tracks, missions, read_object(folder / "run.json"))
-    if plc := read_plc(folder):
-        scene = Scene(folder.resolve().name, tracks.select([plc.vessel]))
-        return scene, judge_plc(tracks, plc, read_object(folder / "run.json"))
+    title = folder.resolve().name
+    if judged := judge_subject(tracks, folder):
+        names, verdict = judged
+        return Scene(title, tracks.select(names)), verdict
     command = read_command(folder)
     verdict = judge(tracks, command, read_object(folder / "run.json"))
-    title = folder.resolve().name
     if isinstance(command, Command):
         return formation_scene(title, tracks, command), verdict
     return Scene(title, tracks), verdict
 
 
 def _draw(scene: Scene | None, source: Path, folder: Path) -> list[Path]:
-    """The pictures in the order of the report: of a scene, of radios and of NMEA 0183."""
-    pictures = _draw_scene(scene, source, folder) if scene else []
-    if source.is_dir() and (links := read_links(source)):
-        title = source.resolve().name
-        pictures += draw_links(links, title, folder)
-        if scene and (stations := read_stations(source)):
-            tracks = read_states(source / "states.csv")
-            pictures = draw_stations(tracks, links, stations, title, folder) + pictures
+    """The pictures in the order of the report; an animation is shown, not made."""
+    pictures = draw_all(scene, folder) if scene else []
     if source.is_dir():
-        pictures += draw_nmea(read_nmea(source), folder)
-    return pictures
-
-
-def _draw_scene(scene: Scene, source: Path, folder: Path) -> list[Path]:
-    """The pictures of a scene; an animation is shown, not made."""
-    pictures = draw_all(scene, folder)
-    if source.is_dir() and (missions := _missions(source)):
-        pictures = draw_missions(scene.tracks, missions, scene.title, folder) + pictures
-    if source.is_dir() and (plc := read_plc(source)):
-        pictures = draw_plc(scene.tracks, plc, scene.title, folder) + pictures
-    if (folder / ANIMATION).is_file():
+        pictures = draw_subjects(source, scene, folder, leads=True) + pictures
+        pictures += draw_subjects(source, scene, folder, leads=False)
+    if scene and (folder / ANIMATION).is_file():
         pictures.insert(0, folder / ANIMATION)
     return pictures
-
-
-def _missions(folder: Path) -> list[Mission]:
-    """What platforms were to do, by the run's files or by a client."""
-    return missions_of(read_client_record(folder)) or read_missions(folder)
 
 
 def write_report(

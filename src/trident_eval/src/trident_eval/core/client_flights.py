@@ -16,6 +16,7 @@ import numpy as np
 
 from trident_eval.core.errors import EvalError
 from trident_eval.core.missions import Mission, follow
+from trident_eval.core.rows import Row, value_text
 from trident_eval.core.tracks import Tracks
 from trident_eval.core.verdict import Verdict, take_over
 
@@ -146,3 +147,26 @@ def _reasons(entry: dict[str, Any], row: dict[str, Any]) -> list[str]:
         said = f", the last of its texts: {entry['texts'][-1]}" if entry["texts"] else ""
         reasons.append(f"{row['refusals']} refusals{said}")
     return reasons
+
+
+def client_rows(verdict: dict[str, Any]) -> list[Row]:
+    """What each vehicle did that a client has commanded."""
+    commanded: dict[str, dict[str, Any]] = verdict.get("commanded") or {}
+    return [_commanded_row(name, numbers) for name, numbers in commanded.items()]
+
+
+def _commanded_row(name: str, numbers: dict[str, Any]) -> Row:
+    items, passed, reported = (numbers[f"items{key}"] for key in ("", "_passed", "_reported"))
+    armed = "armed" if numbers["armed"] else "not armed"
+    refusals = f"{numbers['refusals']} refusal{'s' * (numbers['refusals'] != 1)}"
+    value = (
+        f"{armed}, {passed} of {items} items ({reported} reported), {numbers['end']}, {refusals}"
+    )
+    is_satisfied = (
+        numbers["armed"]
+        and numbers["mission_equal"]
+        and numbers["ended"]
+        and passed == reported == items
+        and not numbers["refusals"]
+    )
+    return Row(name, value, f"all, within {value_text(numbers['radius_m'], 'm')}", is_satisfied)

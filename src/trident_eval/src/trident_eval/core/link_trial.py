@@ -17,6 +17,7 @@ from trident_base.station_record import NOT_UP, STANDS, STATION_PATTERN
 from trident_eval.core.errors import EvalError
 from trident_eval.core.links import LinkLog, read_links
 from trident_eval.core.provenance import read_object
+from trident_eval.core.rows import Row
 from trident_eval.core.verdict import Verdict
 
 PARAMETER = "link_trial"
@@ -215,3 +216,23 @@ def add_trial(verdict: Verdict, folder: Path) -> None:
         return
     verdict.numbers["link_trial"], reasons = judge_trial(log, trial, stations)
     verdict.reasons += reasons
+
+
+def trial_rows(verdict: dict[str, Any]) -> list[Row]:
+    """What crossed without a base station of the air, and with one."""
+    trial: dict[str, Any] = verdict.get("link_trial") or {}
+    rows = []
+    for key, word in (("direct", "directly"), ("relayed", "with base station")):
+        if key not in trial:
+            continue
+        numbers = trial[key]
+        share, limit = numbers["share"], numbers["limit"]
+        counts = f"{numbers['delivered']} of {numbers['offered']}"
+        value = counts if share is None else f"{100.0 * share:.1f} %, {counts}"
+        value += f", {numbers['from_s']:.0f} s to {numbers['to_s']:.0f} s"
+        is_above = share is not None and share >= limit
+        is_satisfied = share is not None and is_above == (key == "relayed")
+        held = "below" if key == "direct" else "at least"
+        label = f"{trial['source']} -> {trial['destination']} {word}"
+        rows.append(Row(label, value, f"{held} {100.0 * limit:g} %", is_satisfied))
+    return rows

@@ -14,6 +14,7 @@ import numpy as np
 from trident_eval.core.errors import EvalError
 from trident_eval.core.metrics import lengths
 from trident_eval.core.provenance import read_object
+from trident_eval.core.rows import Row, value_text
 from trident_eval.core.tracks import Array, Tracks
 from trident_eval.core.verdict import Verdict, take_over
 
@@ -210,3 +211,19 @@ def _reasons(outcome: Outcome, tracks: Tracks) -> list[str]:
     if rms is None or rms > mission.limit_m:
         reasons.append(f"{name}: tracking RMS {rms or math.nan:.3f} m, limit {mission.limit_m:g} m")
     return reasons
+
+
+def mission_rows(verdict: dict[str, Any]) -> list[Row]:
+    """What each platform of a run of missions did."""
+    platforms: dict[str, dict[str, Any]] = verdict.get("platforms") or {}
+    return [_platform_row(name, numbers) for name, numbers in platforms.items()]
+
+
+def _platform_row(name: str, numbers: dict[str, Any]) -> Row:
+    rms, limit = numbers["tracking_rms_m"], numbers["tracking_limit_m"]
+    places = f"{numbers['waypoints_reached']} of {numbers['waypoints']} waypoints"
+    done = f" in {numbers['done_s']:.1f} s" if numbers["done_s"] is not None else ""
+    is_satisfied = numbers["done_s"] is not None and rms is not None and rms <= limit
+    error = "unknown" if rms is None else value_text(rms, "m")
+    value = f"{places}{done}, tracking RMS {error}"
+    return Row(name, value, f"all, at most {value_text(limit, 'm')}", is_satisfied)

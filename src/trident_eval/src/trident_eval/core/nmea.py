@@ -20,6 +20,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation, Slerp
 
 from trident_eval.core.errors import EvalError
+from trident_eval.core.rows import Row, value_text
 from trident_eval.core.tracks import Array, whole_lines
 from trident_eval.core.verdict import Verdict
 
@@ -235,3 +236,16 @@ def add_nmea(verdict: Verdict, folder: Path) -> None:
     if judged:
         verdict.numbers["nmea"] = [numbers for numbers, _ in judged]
         verdict.reasons += [reason for _, reasons in judged for reason in reasons]
+
+
+def nmea_rows(verdict: dict[str, Any]) -> list[Row]:
+    """What vehicles sent as NMEA 0183, and how far their RTK fixed positions were off."""
+    return [_nmea_row(numbers) for numbers in verdict.get("nmea") or []]
+
+
+def _nmea_row(numbers: dict[str, Any]) -> Row:
+    value = f"{numbers['sentences']} sentences, {numbers['rtk_fixed']} RTK fixed positions"
+    if numbers["position_max_m"] is not None:
+        value += f" within {value_text(numbers['position_max_m'], 'm')}"
+    limit = f"at most {value_text(numbers['position_limit_m'], 'm')}, no wrong line"
+    return Row(f"NMEA of {numbers['vehicle']}", value, limit, numbers["satisfied"])

@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from trident_eval.core.provenance import Provenance
-from trident_eval.core.report import Row, verdict_rows
+from trident_eval.core.report import verdict_rows
+from trident_eval.core.rows import Row
 from trident_eval.core.vehicles import FlightLog
 
 PAGE_STYLE = """

@@ -19,6 +19,7 @@ import numpy as np
 from trident_eval.core.errors import EvalError
 from trident_eval.core.metrics import lengths
 from trident_eval.core.provenance import read_object
+from trident_eval.core.rows import Row, value_text
 from trident_eval.core.tracks import Array, Tracks, whole_lines
 from trident_eval.core.verdict import Verdict, take_over
 
@@ -226,3 +227,30 @@ def _reasons(numbers: dict[str, Any]) -> list[str]:
         ),
     )
     return [f"PLC: {reason}" for is_satisfied, reason in checks if not is_satisfied]
+
+
+def plc_rows(verdict: dict[str, Any]) -> list[Row]:
+    """What went through a PLC's registers; nothing of a run without one."""
+    numbers: dict[str, Any] = verdict.get("plc") or {}
+    if not numbers:
+        return []
+
+    def row(label: str, counts: tuple[str, str], worst: str, unit: str, limit: float) -> Row:
+        done, total = numbers[counts[0]], numbers[counts[1]]
+        value, most = f"{done} of {total}", numbers[worst]
+        if most is not None:
+            value += f", within {value_text(most, unit)}"
+        is_satisfied = total > 0 and done == total and (most or 0.0) <= limit
+        return Row(label, value, f"all, within {value_text(limit, unit)}", is_satisfied)
+
+    arrived, stopped = ("commands_arrived", "commands"), ("stopped", "silences")
+    return [
+        row("commands arrived", arrived, "delay_max_s", "s", numbers["delay_limit_s"]),
+        row("stopped in silence", stopped, "stopped_after_max_s", "s", numbers["stopped_limit_s"]),
+        Row(
+            "commands beyond limits",
+            f"{numbers['illegal_arrived']} of {numbers['illegal_commands']} arrived",
+            "none",
+            numbers["illegal_arrived"] == 0,
+        ),
+    ]
