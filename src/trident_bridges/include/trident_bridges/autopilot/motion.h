@@ -25,7 +25,7 @@ struct MotionLimits {
 
 /// References along straight lines, continuous in place and velocity whenever a new goal comes. A
 /// motion is the sum of two: what is left of the present velocity dies away evenly, so that the
-/// same wish may come as often as it likes, and a line with a smooth (cubic) start and end leads
+/// same goal may come as often as it likes, and a line with a smooth (cubic) start and end leads
 /// from where that stops to the goal. Speed keeps to the limits where the vehicle had stopped
 /// before, acceleration to twice the limit in every case.
 class Motion {

@@ -119,9 +119,8 @@ struct RegisterSpec {
     ar.required("address", address, Range{0, 465536}, "of the first register or bit");
     ar.field("count", count, Range{1, 2000}, "values, for a field that is an array");
     ar.field("type", type,
-             "bool, int16, int32, int64, uint16, uint32, uint64, float32, float64, "
-             "string(N characters), bits(NAMES of up to 16 bits); default: bool of bits, uint16 of "
-             "registers");
+             "bool, [u]int16, 32 or 64, float32 or 64, string(N) of N characters, bits(NAMES); "
+             "default: bool of bits, else uint16");
     ar.field("scale", scale, "the value is scale times what the registers hold, plus offset");
     ar.field("offset", offset, "see scale");
     ar.field("words", words, "which register of a value comes first");

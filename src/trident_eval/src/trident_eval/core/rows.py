@@ -26,6 +26,6 @@ class Row:
 
 
 def value_text(value: Any, unit: str) -> str:
-    """A number with its unit; three decimals if it is none of counts."""
+    """A number with its unit; three decimals unless it is a whole number."""
     text = f"{value:.3f}" if isinstance(value, float) else str(value)
     return f"{text} {unit}".strip()

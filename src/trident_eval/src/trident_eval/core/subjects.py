@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""What runs are judged by, beside the flight itself: one Subject each.
+"""What runs are judged by, in addition to the flight itself: one Subject each.
 
 A new one is a module with its functions, and a line in SUBJECTS.
 """
