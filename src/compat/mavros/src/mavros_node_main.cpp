@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   ros::NodeHandle node, own("~");
   try {
     trident::ros_utils::NodeParams params(own);
-    const auto values = trident::mavros::read_mavros_params(params);
+    const auto values = trident::mavros::read_mavros_params(params, own.getNamespace());
     params.log_warnings();
     NodePollLoop loop;
     loop.follow_clock(node, [](const ros::Time& /*now*/) {});

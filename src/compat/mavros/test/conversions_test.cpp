@@ -195,12 +195,15 @@ XmlRpc::XmlRpcValue upstream_parameters() {
   all["imu"]["angular_velocity_stdev"] = "0.0003490659 // 0.02 degrees";
   all["time"]["timesync_mode"] = "MAVLINK";
   all["fake_gps"]["gps_rate"] = 5.0;
+  all["mission"]["enable_partial_push"] = true;
+  all["safety_area"]["p1"]["x"] = 1.0;
+  all["px4flow"]["ranger_fov"] = 0.118682;
   return all;
 }
 
 TEST(MavrosParams, FilesOfUpstreamAreReadAsTheyAre) {
   ros_utils::NodeParams params(upstream_parameters(), "/mavros");
-  const MavrosParams values = read_mavros_params(params);
+  const MavrosParams values = read_mavros_params(params, "/mavros");
   EXPECT_EQ(values.sys.min_voltage, std::vector<double>{10.0});
   EXPECT_DOUBLE_EQ(values.imu.angular_velocity_stdev, 0.0003490659);
   EXPECT_TRUE(params.warnings().empty());
@@ -210,20 +213,35 @@ TEST(MavrosParams, TheSourceOfTimeMayStandAlone) {
   XmlRpc::XmlRpcValue all;
   all["time"] = "wall";
   ros_utils::NodeParams params(all, "/mavros");
-  EXPECT_EQ(read_mavros_params(params).time.source, "wall");
+  EXPECT_EQ(read_mavros_params(params, "/mavros").time.source, "wall");
   all["time"] = "mars";
   ros_utils::NodeParams wrong(all, "/mavros");
-  EXPECT_THROW(read_mavros_params(wrong), Error);
+  EXPECT_THROW(read_mavros_params(wrong, "/mavros"), Error);
 }
 
 TEST(MavrosParams, APrefixStandsBeforeAllFrames) {
   XmlRpc::XmlRpcValue all;
   all["frame_prefix"] = "uav1/";
   ros_utils::NodeParams params(all, "/mavros");
-  const MavrosParams values = read_mavros_params(params);
+  const MavrosParams values = read_mavros_params(params, "/mavros");
   EXPECT_EQ(values.local_position.tf.child_frame_id, "uav1/base_link");
   EXPECT_EQ(values.global_position.frame_id, "uav1/map");
   EXPECT_EQ(values.imu.frame_id, "uav1/base_link");
+}
+
+TEST(MavrosParams, TheNamespaceIsThePrefixWhereNoneIsSet) {
+  const auto frame = [](const std::string& node_name, const char* prefix) {
+    XmlRpc::XmlRpcValue all;
+    all["target_system_id"] = 1;
+    if (prefix != nullptr) all["frame_prefix"] = prefix;
+    ros_utils::NodeParams params(all, node_name);
+    return read_mavros_params(params, node_name).imu.frame_id;
+  };
+  EXPECT_EQ(frame("/mavros", nullptr), "base_link");
+  EXPECT_EQ(frame("/uav1/mavros", nullptr), "uav1/base_link");
+  EXPECT_EQ(frame("/coast/uav1/mavros", nullptr), "coast/uav1/base_link");
+  EXPECT_EQ(frame("/uav1/mavros", ""), "base_link");
+  EXPECT_EQ(frame("/uav1/mavros", "boat/"), "boat/base_link");
 }
 
 TEST(MavrosParams, TheReferencePageIsTheirs) {

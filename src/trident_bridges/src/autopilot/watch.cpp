@@ -39,6 +39,10 @@ void Watch::note_target(SimTime now) {
   target_ = now;
 }
 
+void Watch::keep_target(SimTime then) {
+  if (target_) target_ = std::max(*target_, then);
+}
+
 void Watch::note_sticks(const Sticks& sticks, SimTime now) {
   sticks_ = sticks;
   sticks_at_ = now;

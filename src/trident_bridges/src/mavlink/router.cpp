@@ -39,6 +39,7 @@ bool Router::add_peer(RouterPeer peer, const std::string& name) {
 
 void Router::remove_peer(RouterPeer peer) {
   peers_.erase(peer);
+  listeners_.erase(std::remove(listeners_.begin(), listeners_.end(), peer), listeners_.end());
   for (auto it = routes_.begin(); it != routes_.end();) {
     it = it->second.peer == peer ? routes_.erase(it) : std::next(it);
   }
@@ -86,9 +87,8 @@ void Router::learn(Address source, RouterPeer from, SimTime now) {
 }
 
 void Router::forward(const Packet& packet, RouterPeer from) {
-  RouterCounts& counts = peers_.at(from).counts;
   if (packet.id == MAVLINK_MSG_ID_SETUP_SIGNING) {
-    ++counts.setup_signing;
+    ++peers_.at(from).counts.setup_signing;
     return;
   }
   const Address target = target_of(packet);
@@ -98,6 +98,16 @@ void Router::forward(const Packet& packet, RouterPeer from) {
     }
     return;
   }
+  find_receivers(target, from);
+  for (const RouterPeer receiver : receivers_) send_to(receiver, packet.raw);
+}
+
+void Router::find_receivers(Address target, RouterPeer from) {
+  const auto add = [&](RouterPeer peer) {
+    const bool is_listed =
+        std::find(receivers_.begin(), receivers_.end(), peer) != receivers_.end();
+    if (peer != from && !is_listed) receivers_.push_back(peer);
+  };
   receivers_.clear();
   bool is_known = false;
   for (const bool any_component : {false, true}) {
@@ -108,13 +118,11 @@ void Router::forward(const Packet& packet, RouterPeer from) {
           any_component || target.component == 0 || address.component == target.component;
       if (!fits) continue;
       is_known = true;
-      const bool is_listed =
-          std::find(receivers_.begin(), receivers_.end(), route.peer) != receivers_.end();
-      if (route.peer != from && !is_listed) receivers_.push_back(route.peer);
+      add(route.peer);
     }
   }
-  if (!is_known) ++counts.unknown_target;
-  for (const RouterPeer receiver : receivers_) send_to(receiver, packet.raw);
+  if (!is_known) ++peers_.at(from).counts.unknown_target;
+  for (const RouterPeer listener : listeners_) add(listener);
 }
 
 void Router::send_to(RouterPeer to, Bytes packet) {

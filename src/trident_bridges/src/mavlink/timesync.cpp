@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_bridges/mavlink/timesync.h"
 
+#include <algorithm>
+
 #include "trident_bridges/mavlink/dialect.h"
 
 namespace trident::bridges::mavlink {
@@ -15,7 +17,9 @@ std::optional<Message> timesync_answer(const Message& message, Address self, std
   if (!is<mavlink_timesync_t>(message)) return std::nullopt;
   auto payload = unpack<mavlink_timesync_t>(message);
   if (payload.tc1 != 0) return std::nullopt;
-  payload.tc1 = now_ns;
+  // Simulated time begins at 0, and an answer with 0 would be a request: both ends would answer one
+  // another without end.
+  payload.tc1 = std::max(now_ns, std::int64_t{1});
   return pack(payload, self);
 }
 

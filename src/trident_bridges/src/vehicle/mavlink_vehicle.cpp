@@ -103,8 +103,15 @@ bool MavlinkVehicle::handle(const Message& message, const BothTimes& now) {
   if (message.source == self_) return false;
   newest_.now = std::max(newest_.now, now.simulated);
   if (heartbeats_.handle(message, now)) return true;
-  return handle_protocol(message, now.simulated) || handle_set_point(message, now.simulated) ||
+  keep_set_points(now);
+  return handle_protocol(message, now.simulated) || handle_set_point(message, now) ||
          handle_setting(message, now.simulated) || answer_small_services(message, now.simulated);
+}
+
+/// Who sends by the wall's clock is not late where the world is faster: the smaller age counts.
+void MavlinkVehicle::keep_set_points(const BothTimes& now) {
+  if (!now.wall || !newest_.set_point_at) return;
+  autopilot_.keep_target(now.simulated - (*now.wall - *newest_.set_point_at));
 }
 
 bool MavlinkVehicle::handle_protocol(const Message& message, SimTime now) {
@@ -112,7 +119,8 @@ bool MavlinkVehicle::handle_protocol(const Message& message, SimTime now) {
          parameters_.handle(message, now) || streams_.handle(message, now);
 }
 
-bool MavlinkVehicle::handle_set_point(const Message& message, SimTime now) {
+bool MavlinkVehicle::handle_set_point(const Message& message, const BothTimes& times) {
+  const SimTime now = times.simulated;
   if (const auto received = read_target(message, self_, places())) {
     if (!received->problem.empty()) {
       refuse_set_point(received->problem, now);
@@ -120,6 +128,7 @@ bool MavlinkVehicle::handle_set_point(const Message& message, SimTime now) {
     }
     const Answer answer =
         autopilot_.set_target(received->target, received->stamp.value_or(now), now);
+    if (answer.result != Result::kDenied) newest_.set_point_at = times.wall;
     // They may come before a mode that follows them; that is no mistake.
     const bool should_follow =
         autopilot_.mode() == Mode::kGuided || autopilot_.mode() == Mode::kOffboard;
@@ -239,6 +248,7 @@ void MavlinkVehicle::update(const BothTimes& now) {
   if (age_s < kGroundStationTimeout_s) {
     autopilot_.note_ground_station(now.simulated - SimTime::from_seconds(age_s));
   }
+  keep_set_points(now);
   missions_.update(now.simulated);
   parameters_.update(now.simulated);
   streams_.update(now.simulated);

@@ -76,6 +76,22 @@ TEST(Router, WhatIsForASystemGoesWhereItWasHeard) {
   EXPECT_EQ(net.got[1].size() + net.got[2].size(), 3U);
 }
 
+TEST(Router, AListenerAlsoGetsWhatIsForOthersButNothingTwice) {
+  Net net;
+  net.beat();
+  net.router.let_hear_all(2);
+  net.got.clear();
+  net.send_command(9, {1, 1});
+  net.send_command(9, {2, 1});
+  net.send_command(9, {7, 1});  // nobody
+  net.send_command(2, {1, 1});
+  EXPECT_EQ(net.got[2].size(), 3U);
+  EXPECT_EQ(net.got[1].size(), 2U);
+  net.router.remove_peer(2);
+  net.send_command(9, {1, 1});
+  EXPECT_EQ(net.got[2].size(), 3U);
+}
+
 TEST(Router, IdsExpireAndGoWithTheirPeer) {
   Net net;
   net.beat();

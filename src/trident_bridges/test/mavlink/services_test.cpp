@@ -186,6 +186,13 @@ TEST(Timesync, TheOffsetOfAPartnerIsFound) {
   EXPECT_EQ(client.best()->round_trip_ns, 20'000'000);
 }
 
+TEST(Timesync, AnAnswerAtTheBeginningOfTimeIsNoRequest) {
+  const TimesyncClient client(kGround, true);
+  const auto answer = timesync_answer(client.request(0), kVehicle, 0);
+  ASSERT_TRUE(answer);
+  EXPECT_FALSE(timesync_answer(*answer, kGround, 0));
+}
+
 TEST(Timesync, WithOneClockThereIsNoOffset) {
   TimesyncClient client(kGround, true);
   const auto answer = timesync_answer(client.request(1'000), kVehicle, 500'000);

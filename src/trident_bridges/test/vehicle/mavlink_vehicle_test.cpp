@@ -295,5 +295,36 @@ TEST(MavlinkVehicle, AGroundStationThatBeatsByTheWallIsNotLost) {
   EXPECT_FALSE(drone.has_text("ground station"));
 }
 
+TEST(MavlinkVehicle, SetPointsThatComeByTheWallAreNotLost) {
+  FlownMavlinkVehicle drone(VehicleKind::kQuadrotor, AutopilotFlavour::kPx4);
+  mavlink_set_position_target_local_ned_t target{};
+  target.target_system = 1;
+  target.coordinate_frame = MAV_FRAME_LOCAL_NED;
+  target.type_mask = 0xDF8;
+  target.z = -3.0F;
+  constexpr double kFaster = 20.0, kStep_s = 0.02;
+  double wall_s = 0.0;
+  const auto advance = [&](double time_s, bool is_sent) {
+    for (int i = 0; i < static_cast<int>(time_s / kStep_s); ++i) {
+      drone.step();
+      wall_s += kStep_s / kFaster;
+      const BothTimes now{drone.now, SimTime::from_seconds(wall_s)};
+      // Each 0.1 s of the wall, which are 2 s of the world.
+      if (is_sent && i % 100 == 0) {
+        drone.vehicle.handle(pack(target, FlownMavlinkVehicle::kSelf), now);
+      }
+      drone.vehicle.update(now);
+    }
+  };
+  advance(6.0, true);
+  EXPECT_EQ(drone.command(MAV_CMD_DO_SET_MODE, {1, 6}).result, CommandResult::kAccepted);
+  EXPECT_EQ(drone.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}).result, CommandResult::kAccepted);
+  advance(20.0, true);
+  EXPECT_EQ(drone.vehicle.autopilot().mode(), Mode::kOffboard);
+  EXPECT_NEAR(drone.state.p_world_m.z(), 3.0, 0.1);
+  advance(2.0 * kFaster, false);
+  EXPECT_EQ(drone.vehicle.autopilot().mode(), Mode::kReturn);
+}
+
 }  // namespace
 }  // namespace trident::bridges::mavlink

@@ -42,8 +42,7 @@ bridges::mavlink::RouterOptions router_options() {
 }
 
 bridges::mavlink::SigningTime signing_now() {
-  return bridges::mavlink::signing_time(
-      static_cast<std::int64_t>(ros::WallTime::now().toNSec()));
+  return bridges::mavlink::signing_time(static_cast<std::int64_t>(ros::WallTime::now().toNSec()));
 }
 
 }  // namespace
@@ -75,6 +74,8 @@ Link::Link(const LinkOptions& options, bridges::PollLoop& loop, Events events)
       parser_(true),
       writer_(key_.signer()) {
   router_.add_peer(kThisNode, "this node");
+  // What a vehicle answers to a ground station tells that its mission has changed.
+  router_.let_hear_all(kThisNode);
   open(options.fcu_url, options.allow_remote, loop);
   if (!options.gcs_url.empty()) open(options.gcs_url, options.allow_remote, loop);
   forget_silent_ids(loop);

@@ -59,6 +59,13 @@ void check_time(const std::string& time) {
   throw Error("parameter ~time/source is '" + time + "', legal: auto, sim, fcu, wall");
 }
 
+/// "uav1/" of /uav1/mavros; empty where the node's name is all there is.
+std::string prefix_of(const std::string& node_name) {
+  const std::size_t end = node_name.rfind('/');
+  if (end == std::string::npos || end == 0) return "";
+  return node_name.substr(1, end);
+}
+
 void prefix_frames(MavrosParams& params) {
   const std::string& prefix = params.frame_prefix;
   params.imu.frame_id.insert(0, prefix);
@@ -72,7 +79,8 @@ void prefix_frames(MavrosParams& params) {
 
 }  // namespace
 
-MavrosParams read_mavros_params(ros_utils::NodeParams& params) {
+MavrosParams read_mavros_params(ros_utils::NodeParams& params, const std::string& node_name) {
+  const bool has_prefix = params.find("frame_prefix") != nullptr;
   change_section(params, "imu",
                  [](const std::string& /*key*/, ConfigNode& node) { drop_comment(node); });
   change_section(params, "sys", [](const std::string& key, ConfigNode& node) {
@@ -80,32 +88,15 @@ MavrosParams read_mavros_params(ros_utils::NodeParams& params) {
   });
   accept_source_alone(params);
   auto result = params.read<MavrosParams>();
+  if (!has_prefix) result.frame_prefix = prefix_of(node_name);
   prefix_frames(result);
   check_time(result.time.source);
   // Sections of plugins that need no parameters here, or that are messages alone.
-  params.accept({"param",
-                 "safety_area",
-                 "distance_sensor",
-                 "image",
-                 "fake_gps",
-                 "gps_input",
-                 "landing_target",
-                 "mocap",
-                 "mount",
-                 "odometry",
-                 "px4flow",
-                 "vision_pose",
-                 "vision_speed",
-                 "vibration",
-                 "wheel_odometry",
-                 "camera",
-                 "guided_target",
-                 "obstacle",
-                 "gcs_bridge",
-                 "hil",
-                 "gps_rtk",
-                 "trajectory",
-                 "setpoint_trajectory"});
+  params.accept({"param",     "safety_area",    "distance_sensor", "image",      "fake_gps",
+                 "gps_input", "landing_target", "mocap",           "mount",      "odometry",
+                 "px4flow",   "vision_pose",    "vision_speed",    "vibration",  "wheel_odometry",
+                 "camera",    "guided_target",  "obstacle",        "gcs_bridge", "hil",
+                 "gps_rtk",   "trajectory"});
   return result;
 }
 

@@ -161,6 +161,7 @@ struct CommandParams {
 struct MissionParams {
   bool pull_after_gcs = true;        ///< pull again where a ground station has changed the mission
   bool use_mission_item_int = true;  ///< kept for files: items are always MISSION_ITEM_INT
+  bool enable_partial_push = true;   ///< kept for files: a list is always sent whole
 
   /// Lists the fields for the parameter reader and the reference.
   template <class Archive>
@@ -169,6 +170,8 @@ struct MissionParams {
              "pull again where a ground station has changed the mission");
     ar.field("use_mission_item_int", use_mission_item_int,
              "kept for files: items are always MISSION_ITEM_INT");
+    ar.field("enable_partial_push", enable_partial_push,
+             "kept for files: a list is always sent whole");
   }
 };
 
@@ -195,7 +198,7 @@ struct MavrosParams {
   bool startup_px4_usb_quirk = false;          ///< kept for files; has no effect
   bool allow_remote = false;                   ///< other computers may be reached
   std::string signing_key_file;                ///< signs, and asks for signatures; empty: none
-  std::string frame_prefix;                    ///< before all frame ids, e.g. uav1/
+  std::string frame_prefix;                    ///< before all frame ids; not set: by the name
   std::vector<std::string> plugin_blacklist;   ///< globs of names that are not loaded
   std::vector<std::string> plugin_whitelist;   ///< globs of names that are loaded all the same
   std::vector<std::string> plugin_denylist;    ///< as plugin_blacklist
@@ -211,6 +214,7 @@ struct MavrosParams {
   SetpointParams setpoint_accel;               ///< setpoint_accel
   SetpointParams setpoint_attitude;            ///< setpoint_attitude
   SetpointParams setpoint_raw;                 ///< setpoint_raw
+  SetpointParams setpoint_trajectory;          ///< setpoint_trajectory
   CommandParams cmd;                           ///< command
   MissionParams mission;                       ///< waypoint
   RadioParams tdr_radio;                       ///< 3dr_radio
@@ -230,6 +234,7 @@ struct MavrosParams {
     ar.field("setpoint_accel", setpoint_accel, "setpoint_accel");
     ar.field("setpoint_attitude", setpoint_attitude, "setpoint_attitude");
     ar.field("setpoint_raw", setpoint_raw, "setpoint_raw");
+    ar.field("setpoint_trajectory", setpoint_trajectory, "setpoint_trajectory");
     ar.field("cmd", cmd, "command");
     ar.field("mission", mission, "waypoint");
     ar.field("tdr_radio", tdr_radio, "3dr_radio");
@@ -249,7 +254,8 @@ struct MavrosParams {
     ar.field("allow_remote", allow_remote, "may bind or connect to what is not loopback");
     ar.field("signing_key_file", signing_key_file,
              "64 hexadecimal digits in a file of mode 600: sign, and refuse what is not signed");
-    ar.field("frame_prefix", frame_prefix, "before all frame ids, e.g. uav1/; empty: as upstream");
+    ar.field("frame_prefix", frame_prefix,
+             "before all frame ids; not set: the namespace, uav1/ for /uav1/mavros");
     ar.field("plugin_blacklist", plugin_blacklist, "globs of plugins that are not loaded");
     ar.field("plugin_whitelist", plugin_whitelist, "globs of plugins that are loaded all the same");
     ar.field("plugin_denylist", plugin_denylist, "as plugin_blacklist");
@@ -258,8 +264,9 @@ struct MavrosParams {
 };
 
 /// Reads a node's parameters. Files of upstream are read as they are: a number with a C comment
-/// behind it, one voltage in place of a list, sections of plugins that do not exist here. Throws
+/// behind it, one voltage in place of a list, sections of plugins that do not exist here.
+/// `node_name` is absolute: its namespace is the prefix of frames where none is set. Throws
 /// ConfigError with the parameter, its value and the legal range.
-MavrosParams read_mavros_params(ros_utils::NodeParams& params);
+MavrosParams read_mavros_params(ros_utils::NodeParams& params, const std::string& node_name);
 
 }  // namespace trident::mavros

@@ -31,7 +31,8 @@ class VehicleSide {
  public:
   using Handler = std::function<void(const Message&)>;
 
-  /// Opens the link. `refusals` and `loop` must outlive it. Throws Error with the URL and what is wrong with it.
+  /// Opens the link. `refusals` and `loop` must outlive it. Throws Error with the URL and what is
+  /// wrong with it.
   VehicleSide(const MavrosParams& params, ros_utils::Refusals& refusals, bridges::PollLoop& loop);
 
   /// Calls `handler` with each message of a type that comes from the vehicle.

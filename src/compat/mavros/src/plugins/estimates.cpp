@@ -172,8 +172,8 @@ class Odom : public EstimatePlugin {
     const Eigen::Quaterniond q(p.q[0], p.q[1], p.q[2], p.q[3]);
     nav_msgs::Odometry odometry;
     odometry.header.stamp = hub_.vehicle.stamp_us(p.time_usec);
-    odometry.header.frame_id = is_ned ? hub_.params.local_position.frame_id
-                                               : hub_.params.frame_prefix + "odom";
+    odometry.header.frame_id =
+        is_ned ? hub_.params.local_position.frame_id : hub_.params.frame_prefix + "odom";
     odometry.child_frame_id = hub_.params.local_position.child_frame_id;
     const Eigen::Vector3d position(p.x, p.y, p.z);
     assign(odometry.pose.pose.position, is_ned ? swap_world(position) : swap_body(position));

@@ -14,35 +14,12 @@ namespace trident::mavros {
 namespace {
 
 /// Names that lists of upstream have; their messages alone exist here, or they are older names.
-constexpr std::initializer_list<const char*> kMessagesAlone = {"adsb",
-                                                               "cam_imu_sync",
-                                                               "camera",
-                                                               "cellular_status",
-                                                               "companion_process_status",
-                                                               "dummy",
-                                                               "esc_status",
-                                                               "esc_telemetry",
-                                                               "fake_gps",
-                                                               "gps_input",
-                                                               "gps_rtk",
-                                                               "guided_target",
-                                                               "image_pub",
-                                                               "imu_pub",
-                                                               "landing_target",
-                                                               "log_transfer",
-                                                               "mag_calibration_status",
-                                                               "mount_control",
-                                                               "obstacle_distance",
-                                                               "onboard_computer_status",
-                                                               "play_tune",
-                                                               "px4flow",
-                                                               "rangefinder",
-                                                               "safety_area",
-                                                               "setpoint_trajectory",
-                                                               "terrain",
-                                                               "trajectory",
-                                                               "tunnel",
-                                                               "wheel_odometry"};
+constexpr std::initializer_list<const char*> kMessagesAlone = {
+    "adsb",          "cam_imu_sync",  "camera",         "cellular_status",
+    "dummy",         "esc_telemetry", "fake_gps",       "guided_target",
+    "image_pub",     "imu_pub",       "landing_target", "mag_calibration_status",
+    "mount_control", "play_tune",     "terrain",        "tunnel",
+    "wheel_odometry"};
 
 bool fits_any(const std::string& name, const std::vector<std::string>& globs) {
   return std::any_of(globs.begin(), globs.end(),
@@ -100,6 +77,18 @@ const std::vector<PluginEntry>& all_plugins() {
       {"distance_sensor", make_distance_sensor},
       {"vibration", make_vibration},
       {"debug_value", make_debug_value},
+      {"setpoint_trajectory", make_setpoint_trajectory},
+      {"trajectory", make_trajectory},
+      {"companion_process_status", make_companion_process_status},
+      {"onboard_computer_status", make_onboard_computer_status},
+      {"obstacle_distance", make_obstacle_distance},
+      {"gps_input", make_gps_input},
+      {"gps_rtk", make_gps_rtk},
+      {"safety_area", make_safety_area},
+      {"esc_status", make_esc_status},
+      {"log_transfer", make_log_transfer},
+      {"px4flow", make_px4flow},
+      {"rangefinder", make_rangefinder},
   };
   return kPlugins;
 }

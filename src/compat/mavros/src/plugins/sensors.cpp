@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <mavros_msgs/DebugValue.h>
 #include <mavros_msgs/GPSRAW.h>
-#include <mavros_msgs/RTKBaseline.h>
 #include <sensor_msgs/Range.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
@@ -12,6 +11,7 @@
 #include "core/conversions.h"
 #include "core/typed_messages.h"
 #include "plugins/plugins.h"
+#include "plugins/rtk_baseline.h"
 
 namespace trident::mavros {
 namespace {
@@ -65,26 +65,6 @@ class GpsStatus : public Plugin {
     message.yaw = p.yaw;
     return message;
   }
-  template <class Payload>
-  static mavros_msgs::RTKBaseline to_rtk(const Payload& p) {
-    mavros_msgs::RTKBaseline message;
-    message.header.stamp = ros::Time::now();
-    message.time_last_baseline_ms = p.time_last_baseline_ms;
-    message.rtk_receiver_id = p.rtk_receiver_id;
-    message.wn = p.wn;
-    message.tow = p.tow;
-    message.rtk_health = p.rtk_health;
-    message.rtk_rate = p.rtk_rate;
-    message.nsats = p.nsats;
-    message.baseline_coords_type = p.baseline_coords_type;
-    message.baseline_a_mm = p.baseline_a_mm;
-    message.baseline_b_mm = p.baseline_b_mm;
-    message.baseline_c_mm = p.baseline_c_mm;
-    message.accuracy = p.accuracy;
-    message.iar_num_hypotheses = p.iar_num_hypotheses;
-    return message;
-  }
-
   VehicleSide& vehicle_;
   std::array<std::unique_ptr<bridges::NodePublisher<mavros_msgs::GPSRAW>>, 2> raw_;
   std::array<std::unique_ptr<bridges::NodePublisher<mavros_msgs::RTKBaseline>>, 2> rtk_;

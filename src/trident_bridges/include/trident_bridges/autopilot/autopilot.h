@@ -52,6 +52,8 @@ class Autopilot {
   Answer handle(const Request& request, SimTime now);
   /// A set-point of a companion computer; `stamp` by its clock where it has one, else `now`.
   Answer set_target(const Target& target, SimTime stamp, SimTime now);
+  /// See Watch.
+  void keep_target(SimTime then) { watch_.keep_target(then); }
   /// Sticks of a pilot or ground station.
   void set_sticks(const Sticks& sticks, SimTime now) { watch_.note_sticks(sticks, now); }
   /// A heartbeat of a ground station.

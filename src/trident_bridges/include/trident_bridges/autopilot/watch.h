@@ -36,6 +36,9 @@ class Watch {
   void note_ground_station(SimTime now);
   /// A set-point of a companion computer.
   void note_target(SimTime now);
+  /// Takes the newest set-point for one that came then, if that is later: its sender has another
+  /// clock.
+  void keep_target(SimTime then);
   /// Sticks.
   void note_sticks(const Sticks& sticks, SimTime now);
 

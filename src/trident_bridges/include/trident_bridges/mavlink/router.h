@@ -55,6 +55,8 @@ class Router {
 
   /// A peer is there. False: it is one too many, or its number is taken.
   bool add_peer(RouterPeer peer, const std::string& name);
+  /// From now on the peer also gets what is for others.
+  void let_hear_all(RouterPeer peer) { listeners_.push_back(peer); }
   /// It is gone, and all ids that it had.
   void remove_peer(RouterPeer peer);
   /// Forwards what a peer sent: a datagram, or the next piece of its stream. Of a peer that was not
@@ -81,6 +83,7 @@ class Router {
   bool is_within_rate(Peer& peer, SimTime now) const;
   void learn(Address source, RouterPeer from, SimTime now);
   void forward(const Packet& packet, RouterPeer from);
+  void find_receivers(Address target, RouterPeer from);
   void send_to(RouterPeer to, Bytes packet);
   const Peer* find(RouterPeer peer) const;
 
@@ -89,6 +92,7 @@ class Router {
   std::function<void(const std::string&)> warning_;
   std::map<RouterPeer, Peer> peers_;
   std::map<Address, Route> routes_;
+  std::vector<RouterPeer> listeners_;  // get all packets
   std::vector<RouterPeer> receivers_;  // of the packet that is being forwarded
 };
 

@@ -55,7 +55,8 @@ class MavlinkVehicle {
 
  private:
   bool handle_protocol(const Message& message, SimTime now);
-  bool handle_set_point(const Message& message, SimTime now);
+  bool handle_set_point(const Message& message, const BothTimes& times);
+  void keep_set_points(const BothTimes& now);
   bool handle_setting(const Message& message, SimTime now);
   bool answer_small_services(const Message& message, SimTime now);
   CommandReply execute(const Command& command, SimTime now);
@@ -90,6 +91,7 @@ class MavlinkVehicle {
     VehicleState state;
     std::string refusal;  // of a set-point
     SimTime refused_at;
+    std::optional<SimTime> set_point_at;  // by the wall
   } newest_;
 };
 
