@@ -21,7 +21,8 @@ Autopilot::Autopilot(const AutopilotOptions& options)
     : options_(options),
       parameters_(options.flavor, options.vehicle, options.system_id),
       limits_(limits_of(parameters_, options.flavor, options.vehicle)),
-      mode_(modes_of(options.flavor, options.vehicle).front().mode) {
+      mode_(modes_of(options.flavor, options.vehicle).front().mode),
+      mode_to_arm_in_(mode_) {
   flight_.set_limits(limits_);
   drive_.set_limits(limits_);
 }
@@ -125,6 +126,7 @@ void Autopilot::enter(Mode mode, SimTime now) {
     mode = Mode::kBrake;
   }
   mode_ = mode;
+  if (!prevents_arming(mode) && mode != Mode::kOffboard) mode_to_arm_in_ = mode;
   if (is_armed_) begin(mode, now);
 }
 
@@ -285,6 +287,8 @@ void Autopilot::end_landing(SimTime now) {
 void Autopilot::disarm(const std::string& reason) {
   is_armed_ = false;
   setpoint_ = Setpoint();
+  // PX4 goes back to a mode for the next flight, ArduPilot leaves that to its pilot.
+  if (options_.flavor == Flavor::kPx4 && prevents_arming(mode_)) mode_ = mode_to_arm_in_;
   report(kSeverityInfo, "Disarmed: " + reason + ".");
 }
 

@@ -42,8 +42,7 @@ std::vector<std::string> Autopilot::arming_problems(SimTime now) const {
     problems.push_back("speed: " + number_text(speed) + " m/s, limit " +
                        number_text(kStanding_m_s) + " m/s");
   }
-  const bool refuses_mode = mode_ == Mode::kReturn || mode_ == Mode::kLand;
-  if (refuses_mode) {
+  if (prevents_arming(mode_)) {
     const ModeEntry* const entry = find_mode(options_.flavor, options_.vehicle, mode_);
     problems.push_back(std::string("mode: ") + entry->name + " cannot be armed in");
   }
@@ -79,6 +78,12 @@ std::optional<std::string> Autopilot::mode_problem(Mode mode, SimTime now) const
   if (mode == Mode::kMission && mission_.size() == 0) return "mission: it has 0 items, 1 is needed";
   if (mode == Mode::kReturn && !home_) return "home: it is not known";
   return std::nullopt;
+}
+
+bool Autopilot::is_offboard_near(std::uint32_t custom_mode, SimTime now) const {
+  const ModeEntry* const entry = find_mode(options_.flavor, options_.vehicle, custom_mode);
+  return entry != nullptr && entry->mode == Mode::kOffboard && state_.position_stamp &&
+         watch_.is_offboard_near(now);
 }
 
 Answer Autopilot::enter_requested(const ModeEntry& entry, SimTime now) {

@@ -83,6 +83,8 @@ bool is_manual(Mode mode) {
          mode == Mode::kAltitude || mode == Mode::kPosition;
 }
 
+bool prevents_arming(Mode mode) { return mode == Mode::kReturn || mode == Mode::kLand; }
+
 bool needs_position(Mode mode) {
   return !(mode == Mode::kManual || mode == Mode::kStabilize || mode == Mode::kAcro ||
            mode == Mode::kAltitude);

@@ -39,8 +39,8 @@ void Watch::note_target(SimTime now) {
   target_ = now;
 }
 
-void Watch::keep_target(SimTime then) {
-  if (target_) target_ = std::max(*target_, then);
+void Watch::keep_targets(SimTime when) {
+  if (target_ && when > *target_) note_target(when);
 }
 
 void Watch::note_sticks(const Sticks& sticks, SimTime now) {
@@ -61,6 +61,11 @@ std::optional<std::string> Watch::offboard_problem(SimTime now) const {
   const double streaming = (now - *targets_since_).seconds();
   if (streaming >= kTargetsBefore_s) return std::nullopt;
   return rule + "they have come for " + number_text(streaming) + " s";
+}
+
+bool Watch::is_offboard_near(SimTime now) const {
+  return target_ && (now - *target_).seconds() < kTargetGap_s &&
+         (now - *targets_since_).seconds() < kTargetsBefore_s;
 }
 
 bool Watch::has_targets(SimTime now, const AutopilotLimits& limits) const {

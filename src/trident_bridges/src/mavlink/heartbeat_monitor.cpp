@@ -16,6 +16,12 @@ std::optional<Heartbeat> read_heartbeat(const Message& message) {
                    payload.system_status};
 }
 
+double age_s(const BothTimes& then, const BothTimes& now) {
+  const double simulated_s = (now.simulated - then.simulated).seconds();
+  if (!now.wall || !then.wall) return simulated_s;
+  return std::min(simulated_s, (*now.wall - *then.wall).seconds());
+}
+
 HeartbeatMonitor::HeartbeatMonitor(double timeout_s,
                                    std::function<void(Address, const Heartbeat&)> appeared,
                                    std::function<void(Address, double age_s)> lost)
@@ -33,28 +39,22 @@ bool HeartbeatMonitor::handle(const Message& message, const BothTimes& now) {
 
 void HeartbeatMonitor::update(const BothTimes& now) {
   for (auto& [source, heard] : heard_) {
-    const double age = age_s(heard, now);
+    const double age = mavlink::age_s(heard.when, now);
     if (!heard.is_there || age < timeout_s_) continue;
     heard.is_there = false;
     if (lost_) lost_(source, age);
   }
 }
 
-double HeartbeatMonitor::age_s(const Heard& heard, const BothTimes& now) {
-  const double simulated_s = (now.simulated - heard.when.simulated).seconds();
-  if (!now.wall || !heard.when.wall) return simulated_s;
-  return std::min(simulated_s, (*now.wall - *heard.when.wall).seconds());
-}
-
 double HeartbeatMonitor::age_s(Address source, const BothTimes& now) const {
   const auto it = heard_.find(source);
-  return it == heard_.end() ? std::numeric_limits<double>::infinity() : age_s(it->second, now);
+  return it == heard_.end() ? std::numeric_limits<double>::infinity() : mavlink::age_s(it->second.when, now);
 }
 
 double HeartbeatMonitor::ground_station_age_s(const BothTimes& now) const {
   double youngest = std::numeric_limits<double>::infinity();
   for (const auto& [source, heard] : heard_) {
-    if (heard.heartbeat.is_ground_station()) youngest = std::min(youngest, age_s(heard, now));
+    if (heard.heartbeat.is_ground_station()) youngest = std::min(youngest, mavlink::age_s(heard.when, now));
   }
   return youngest;
 }

@@ -47,7 +47,10 @@ std::string numbered(double id) { return "message " + number_text(id); }
 
 }  // namespace
 
-std::vector<StreamRate> vehicle_stream_rates() {
+std::vector<StreamRate> vehicle_stream_rates(bool is_px4) {
+  // Those that change seldom are repeated by PX4 alone, for clients that come late.
+  const double home_hz = is_px4 ? 0.5 : 0.0;
+  const double origin_hz = is_px4 ? 1.0 : 0.0;
   return {{MAVLINK_MSG_ID_HEARTBEAT, 1.0},
           {MAVLINK_MSG_ID_SYS_STATUS, 1.0},
           {MAVLINK_MSG_ID_EXTENDED_SYS_STATE, 1.0},
@@ -74,8 +77,8 @@ std::vector<StreamRate> vehicle_stream_rates() {
           {MAVLINK_MSG_ID_WIND_COV, 1.0},
           {MAVLINK_MSG_ID_MISSION_CURRENT, 2.0},
           {MAVLINK_MSG_ID_RADIO_STATUS, 1.0},
-          {MAVLINK_MSG_ID_HOME_POSITION, 0.0},
-          {MAVLINK_MSG_ID_GPS_GLOBAL_ORIGIN, 0.0},
+          {MAVLINK_MSG_ID_HOME_POSITION, home_hz},
+          {MAVLINK_MSG_ID_GPS_GLOBAL_ORIGIN, origin_hz},
           {MAVLINK_MSG_ID_DISTANCE_SENSOR, 0.0}};
 }
 

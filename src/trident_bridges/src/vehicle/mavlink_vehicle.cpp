@@ -70,7 +70,8 @@ MavlinkVehicle::MavlinkVehicle(const MavlinkVehicleOptions& options, MessageSink
                   parameters_of(autopilot_.parameters()),
                   {[this](const Parameter& one) { autopilot_.set_parameter(one.name, one.value); },
                    [this](const std::string& reason) { say(Severity::kError, reason); }}),
-      streams_(self_, send_, vehicle_stream_rates(), [this](std::uint32_t id) { return emit(id); }),
+      streams_(self_, send_, vehicle_stream_rates(options.flavour == AutopilotFlavour::kPx4),
+               [this](std::uint32_t id) { return emit(id); }),
       heartbeats_(kGroundStationTimeout_s, {}, {}),
       texts_(self_),
       sticks_(self_, class_of(options.kind)) {}
@@ -103,24 +104,18 @@ bool MavlinkVehicle::handle(const Message& message, const BothTimes& now) {
   if (message.source == self_) return false;
   newest_.now = std::max(newest_.now, now.simulated);
   if (heartbeats_.handle(message, now)) return true;
-  keep_set_points(now);
   return handle_protocol(message, now.simulated) || handle_set_point(message, now) ||
          handle_setting(message, now.simulated) || answer_small_services(message, now.simulated);
 }
 
 /// Who sends by the wall's clock is not late where the world is faster: the smaller age counts.
-void MavlinkVehicle::keep_set_points(const BothTimes& now) {
-  if (!now.wall || !newest_.set_point_at) return;
-  autopilot_.keep_target(now.simulated - (*now.wall - *newest_.set_point_at));
-}
-
 bool MavlinkVehicle::handle_protocol(const Message& message, SimTime now) {
   return commands_.handle(message, now) || missions_.handle(message, now) ||
          parameters_.handle(message, now) || streams_.handle(message, now);
 }
 
-bool MavlinkVehicle::handle_set_point(const Message& message, const BothTimes& times) {
-  const SimTime now = times.simulated;
+bool MavlinkVehicle::handle_set_point(const Message& message, const BothTimes& both) {
+  const SimTime now = both.simulated;
   if (const auto received = read_target(message, self_, places())) {
     if (!received->problem.empty()) {
       refuse_set_point(received->problem, now);
@@ -128,7 +123,7 @@ bool MavlinkVehicle::handle_set_point(const Message& message, const BothTimes& t
     }
     const Answer answer =
         autopilot_.set_target(received->target, received->stamp.value_or(now), now);
-    if (answer.result != Result::kDenied) newest_.set_point_at = times.wall;
+    if (answer.result != Result::kDenied) newest_.set_point = both;
     // They may come before a mode that follows them; that is no mistake.
     const bool should_follow =
         autopilot_.mode() == Mode::kGuided || autopilot_.mode() == Mode::kOffboard;
@@ -160,6 +155,7 @@ bool MavlinkVehicle::handle_setting(const Message& message, SimTime now) {
     const auto payload = unpack<mavlink_set_mode_t>(message);
     if (payload.target_system != self_.system) return false;
     const bool is_custom = (payload.base_mode & MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) != 0;
+    if (is_custom && waits_for_set_points(payload.custom_mode, now)) return true;
     answer = is_custom ? autopilot_.handle(ModeRequest{payload.custom_mode}, now)
                        : denied("SET_MODE: base_mode " + std::to_string(payload.base_mode) +
                                 ", legal: an odd number, with the mode in custom_mode");
@@ -202,7 +198,30 @@ CommandReply MavlinkVehicle::execute(const Command& command, SimTime now) {
   }
   const Interpretation asked = interpret(command, flavor_of(options_.flavour), places());
   if (const auto* reply = std::get_if<CommandReply>(&asked)) return *reply;
-  return to_reply(autopilot_.handle(std::get<Request>(asked), now));
+  const auto& request = std::get<Request>(asked);
+  const auto* mode = std::get_if<ModeRequest>(&request);
+  if (mode != nullptr && waits_for_set_points(mode->custom_mode, now)) {
+    return {CommandResult::kInProgress, {}, 0};
+  }
+  return to_reply(autopilot_.handle(request, now));
+}
+
+/// A client that asks for OFFBOARD right after its first set-point is not turned away, as MAVSDK
+/// does it: the decision falls when its set-points have come for long enough, or come no more.
+bool MavlinkVehicle::waits_for_set_points(std::uint32_t custom_mode, SimTime now) {
+  if (!autopilot_.is_offboard_near(custom_mode, now)) return false;
+  awaited_ = AwaitedMode{custom_mode, autopilot_.mode()};
+  return true;
+}
+
+void MavlinkVehicle::decide_awaited_mode(SimTime now) {
+  if (!awaited_) return;
+  const bool is_outdated = autopilot_.mode() != awaited_->from;
+  if (!is_outdated && autopilot_.is_offboard_near(awaited_->custom_mode, now)) return;
+  CommandReply reply{CommandResult::kCancelled, {}, 0};
+  if (!is_outdated) reply = to_reply(autopilot_.handle(ModeRequest{awaited_->custom_mode}, now));
+  awaited_.reset();
+  commands_.progress(MAV_CMD_DO_SET_MODE, reply, now);
 }
 
 /// The autopilot may have said the reason itself.
@@ -244,11 +263,14 @@ void MavlinkVehicle::on_home_changed() {
 
 void MavlinkVehicle::update(const BothTimes& now) {
   newest_.now = std::max(newest_.now, now.simulated);
-  const double age_s = heartbeats_.ground_station_age_s(now);
-  if (age_s < kGroundStationTimeout_s) {
-    autopilot_.note_ground_station(now.simulated - SimTime::from_seconds(age_s));
+  const double silence_s = heartbeats_.ground_station_age_s(now);
+  if (silence_s < kGroundStationTimeout_s) {
+    autopilot_.note_ground_station(now.simulated - SimTime::from_seconds(silence_s));
   }
-  keep_set_points(now);
+  if (newest_.set_point) {
+    autopilot_.keep_targets(now.simulated - SimTime::from_seconds(age_s(*newest_.set_point, now)));
+  }
+  decide_awaited_mode(now.simulated);
   missions_.update(now.simulated);
   parameters_.update(now.simulated);
   streams_.update(now.simulated);

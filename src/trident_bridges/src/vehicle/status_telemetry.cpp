@@ -89,8 +89,11 @@ std::int16_t centiamperes(double current_a) {
 
 Message sys_status(const TelemetrySource& source) {
   mavlink_sys_status_t payload{};
-  unsigned present = MAV_SYS_STATUS_SENSOR_3D_GYRO | MAV_SYS_STATUS_SENSOR_3D_ACCEL |
-                     MAV_SYS_STATUS_SENSOR_GPS | MAV_SYS_STATUS_AHRS | MAV_SYS_STATUS_PREARM_CHECK;
+  // Clients call a vehicle ready that has a compass. The estimator's heading is as good.
+  constexpr unsigned kEstimator =
+      MAV_SYS_STATUS_SENSOR_GPS | MAV_SYS_STATUS_SENSOR_3D_MAG | MAV_SYS_STATUS_AHRS;
+  unsigned present = MAV_SYS_STATUS_SENSOR_3D_GYRO | MAV_SYS_STATUS_SENSOR_3D_ACCEL | kEstimator |
+                     MAV_SYS_STATUS_PREARM_CHECK;
   if (!std::isnan(source.state.battery)) present |= MAV_SYS_STATUS_SENSOR_BATTERY;
   present |= MAV_SYS_STATUS_GEOFENCE;
   payload.onboard_control_sensors_present = present;
@@ -98,9 +101,7 @@ Message sys_status(const TelemetrySource& source) {
   const bool can_arm =
       source.autopilot.is_armed() || source.autopilot.arming_problems(source.now).empty();
   if (!can_arm) present &= ~static_cast<unsigned>(MAV_SYS_STATUS_PREARM_CHECK);
-  if (!source.state.position_stamp) {
-    present &= ~static_cast<unsigned>(MAV_SYS_STATUS_SENSOR_GPS | MAV_SYS_STATUS_AHRS);
-  }
+  if (!source.state.position_stamp) present &= ~kEstimator;
   const bool breaks_fence = source.state.position_stamp &&
                             source.autopilot.fence().breach(source.state.p_world_m).has_value();
   if (breaks_fence) present &= ~static_cast<unsigned>(MAV_SYS_STATUS_GEOFENCE);

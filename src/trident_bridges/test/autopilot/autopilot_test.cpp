@@ -142,6 +142,18 @@ TEST(Autopilot, ReturnsWhenOffboardEnds) {
   EXPECT_TRUE(drone.has_text("limit 1 s"));
 }
 
+TEST(Autopilot, CanBeArmedAgainAfterALandingOfPx4) {
+  for (const Flavor flavor : {Flavor::kPx4, Flavor::kArduPilot}) {
+    FlownVehicle copter(flavor);
+    copter.take_off(5);
+    copter.ask(LandRequest{});
+    ASSERT_TRUE(copter.run_until([&] { return !copter.pilot.is_armed(); }, 60.0));
+    const bool is_px4 = flavor == Flavor::kPx4;
+    EXPECT_EQ(copter.pilot.mode(), is_px4 ? Mode::kHold : Mode::kLand);
+    EXPECT_EQ(copter.ask(ArmRequest{}).is_good(), is_px4);
+  }
+}
+
 TEST(Autopilot, StopsOnceVelocitiesEnd) {
   FlownVehicle copter(Flavor::kArduPilot);
   copter.take_off(5);

@@ -29,7 +29,7 @@ SimTime at(double seconds) { return SimTime::from_seconds(seconds); }
 struct Streams {
   Streams()
       : streams(
-            kVehicle, [this](const Message& m) { sent.push_back(m); }, vehicle_stream_rates(),
+            kVehicle, [this](const Message& m) { sent.push_back(m); }, vehicle_stream_rates(false),
             [this](std::uint32_t id) {
               ++emitted[id];
               return id != MAVLINK_MSG_ID_DISTANCE_SENSOR;
@@ -58,9 +58,18 @@ struct Streams {
 TEST(MessageStreams, DefaultsAreSentAtTheirRatesInSimulatedTime) {
   Streams vehicle;
   const auto counts = vehicle.run(10.0);
-  for (const StreamRate& rate : vehicle_stream_rates()) {
+  for (const StreamRate& rate : vehicle_stream_rates(false)) {
     const auto it = counts.find(rate.id);
     EXPECT_EQ(it == counts.end() ? 0 : it->second, static_cast<int>(10 * rate.rate_hz)) << rate.id;
+  }
+}
+
+TEST(MessageStreams, Px4RepeatsItsHome) {
+  for (const bool is_px4 : {true, false}) {
+    for (const StreamRate& rate : vehicle_stream_rates(is_px4)) {
+      if (rate.id != MAVLINK_MSG_ID_HOME_POSITION) continue;
+      EXPECT_EQ(rate.rate_hz, is_px4 ? 0.5 : 0.0);
+    }
   }
 }
 

@@ -234,6 +234,98 @@ TEST(MavlinkVehicle, FollowsPlacesOfACompanionOnceTheyCome) {
       << drone.state.p_world_m.transpose();
 }
 
+/// A place 3 m above the ground, 4 m north.
+Message place_to_hold() {
+  mavlink_set_position_target_local_ned_t target{};
+  target.target_system = 1;
+  target.coordinate_frame = MAV_FRAME_LOCAL_NED;
+  target.type_mask = 0xDF8;
+  target.x = 4.0F;
+  target.z = -3.0F;
+  return pack(target, FlownMavlinkVehicle::kSelf);
+}
+
+/// As MAVSDK does it: one set-point, OFFBOARD asked for at once, further set-points meanwhile.
+struct HastyClient {
+  HastyClient() {
+    drone.send(place_to_hold());
+    Command mode;
+    mode.command = MAV_CMD_DO_SET_MODE;
+    mode.params = {1.0, 6.0};
+    drone.commands.send(drone.vehicle.address(), mode, drone.now,
+                        [this](const CommandOutcome& end) { outcome = end; });
+  }
+  /// With set-points at 20 Hz until it is answered; the time that it took [s].
+  double stream(int most) {
+    const SimTime start = drone.now;
+    for (int i = 0; i < most && !outcome; ++i) {
+      drone.send(place_to_hold());
+      drone.run_until([&] { return outcome.has_value(); }, 0.05);
+    }
+    return (drone.now - start).seconds();
+  }
+  FlownMavlinkVehicle drone{VehicleKind::kQuadrotor, AutopilotFlavour::kPx4};
+  std::optional<CommandOutcome> outcome;
+};
+
+TEST(MavlinkVehicle, EntersOffboardOnceSetPointsHaveComeForASecond) {
+  HastyClient client;
+  EXPECT_NEAR(client.stream(100), 1.0, 0.1);
+  ASSERT_TRUE(client.outcome);
+  EXPECT_EQ(client.outcome->reply.result, CommandResult::kAccepted);
+  EXPECT_EQ(client.drone.vehicle.autopilot().mode(), Mode::kOffboard);
+  EXPECT_FALSE(client.drone.has_text("denied"));
+}
+
+TEST(MavlinkVehicle, RefusesOffboardWhenSetPointsEndBefore) {
+  HastyClient client;
+  client.stream(6);
+  ASSERT_FALSE(client.outcome);
+  client.drone.run(1.0);
+  ASSERT_TRUE(client.outcome);
+  EXPECT_EQ(client.outcome->reply.result, CommandResult::kTemporarilyRejected);
+  EXPECT_EQ(client.drone.count_texts("the last is 0.5 s old"), 1);
+}
+
+TEST(MavlinkVehicle, ForgetsOffboardWhenAnotherModeIsAskedFor) {
+  HastyClient client;
+  client.stream(6);
+  mavlink_set_mode_t mode{};
+  mode.target_system = 1;
+  mode.base_mode = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
+  mode.custom_mode = 3U << 16;
+  client.drone.send(pack(mode, FlownMavlinkVehicle::kSelf));
+  client.stream(40);
+  ASSERT_TRUE(client.outcome);
+  EXPECT_EQ(client.outcome->reply.result, CommandResult::kCancelled);
+  EXPECT_EQ(client.drone.vehicle.autopilot().mode(), Mode::kPosition);
+}
+
+TEST(MavlinkVehicle, KeepsOffboardWhileSetPointsComeAtTheWallsRate) {
+  HastyClient client;
+  client.stream(100);
+  FlownMavlinkVehicle& drone = client.drone;
+  ASSERT_EQ(drone.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}).result, CommandResult::kAccepted);
+  // 20 Hz, where the simulation is 40 times as fast: each 2 s of its time.
+  double wall_s = 1.0;
+  const auto run = [&](double time_s) {
+    for (int i = 0; i < std::lround(time_s / 0.02); ++i) {
+      drone.now = drone.now + SimTime{20'000'000};
+      wall_s += 0.02 / 40.0;
+      drone.state.position_stamp = drone.now;
+      drone.vehicle.update({drone.now, SimTime::from_seconds(wall_s)});
+      drone.vehicle.step(drone.now, drone.state);
+    }
+  };
+  for (int i = 0; i < 10; ++i) {
+    drone.vehicle.handle(place_to_hold(), {drone.now, SimTime::from_seconds(wall_s)});
+    run(2.0);
+  }
+  EXPECT_EQ(drone.vehicle.autopilot().mode(), Mode::kOffboard);
+  run(42.0);
+  EXPECT_EQ(drone.vehicle.autopilot().mode(), Mode::kReturn) << "silent by both clocks";
+}
+
 TEST(MavlinkVehicle, SticksDriveARover) {
   FlownMavlinkVehicle rover(VehicleKind::kRover, AutopilotFlavour::kArdupilot);
   ASSERT_EQ(rover.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}).result, CommandResult::kAccepted);

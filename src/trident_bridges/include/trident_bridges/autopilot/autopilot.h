@@ -52,8 +52,8 @@ class Autopilot {
   Answer handle(const Request& request, SimTime now);
   /// A set-point of a companion computer; `stamp` by its clock where it has one, else `now`.
   Answer set_target(const Target& target, SimTime stamp, SimTime now);
-  /// See Watch.
-  void keep_target(SimTime then) { watch_.keep_target(then); }
+  /// What counts as a set-point at that time; see Watch.
+  void keep_targets(SimTime when) { watch_.keep_targets(when); }
   /// Sticks of a pilot or ground station.
   void set_sticks(const Sticks& sticks, SimTime now) { watch_.note_sticks(sticks, now); }
   /// A heartbeat of a ground station.
@@ -64,6 +64,8 @@ class Autopilot {
   Answer load_fence(std::vector<Fence::Region> regions);
   /// Changes one parameter.
   Answer set_parameter(std::string_view name, double value);
+  /// Whether that mode is refused now, but will not be if set-points go on coming: see Watch.
+  bool is_offboard_near(std::uint32_t custom_mode, SimTime now) const;
   /// What stands against arming now; empty: nothing.
   std::vector<std::string> arming_problems(SimTime now) const;
 
@@ -124,6 +126,7 @@ class Autopilot {
   FlightGuide flight_;
   DriveGuide drive_;
   Mode mode_;
+  Mode mode_to_arm_in_;  // the last that it can be armed in
   ReturnProgress return_;
   bool is_armed_ = false;
   bool sticks_lead_ = false;

@@ -36,9 +36,9 @@ class Watch {
   void note_ground_station(SimTime now);
   /// A set-point of a companion computer.
   void note_target(SimTime now);
-  /// Takes the newest set-point for one that came then, if that is later: its sender has another
-  /// clock.
-  void keep_target(SimTime then);
+  /// What counts as a set-point at that time, which may be later than that of the last: its sender
+  /// has another clock. Nothing where none has come.
+  void keep_targets(SimTime when);
   /// Sticks.
   void note_sticks(const Sticks& sticks, SimTime now);
 
@@ -47,6 +47,8 @@ class Watch {
   /// Whether set-points came at more than 2 Hz for the last second, which PX4 asks before OFFBOARD;
   /// else why not.
   std::optional<std::string> offboard_problem(SimTime now) const;
+  /// Whether nothing is wrong with the set-points but that they have not come for 1 s yet.
+  bool is_offboard_near(SimTime now) const;
   /// Whether set-points have not been missing for longer than allowed.
   bool has_targets(SimTime now, const AutopilotLimits& limits) const;
 

@@ -35,6 +35,9 @@ struct BothTimes {
   std::optional<SimTime> wall;  ///< monotonic; not given: simulated time alone counts
 };
 
+/// [s] since then: the smaller of both ages, where both are known.
+double age_s(const BothTimes& then, const BothTimes& now);
+
 /// Who is there, by HEARTBEAT.
 class HeartbeatMonitor {
  public:
@@ -59,7 +62,6 @@ class HeartbeatMonitor {
     BothTimes when;
     bool is_there = true;
   };
-  static double age_s(const Heard& heard, const BothTimes& now);
 
   double timeout_s_;
   std::function<void(Address, const Heartbeat&)> appeared_;

@@ -20,8 +20,8 @@ struct StreamRate {
   double rate_hz = 0.0;  ///< 0: only when asked for
 };
 
-/// What a simulated vehicle sends.
-std::vector<StreamRate> vehicle_stream_rates();
+/// What a simulated vehicle sends, in the habits of PX4 or of ArduPilot.
+std::vector<StreamRate> vehicle_stream_rates(bool is_px4);
 
 /// Which messages of a vehicle are due on one link, by SET_MESSAGE_INTERVAL, REQUEST_DATA_STREAM
 /// and defaults. In simulated time: a message of 25 Hz is due 25 times in each of its seconds.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "trident_bridges/autopilot/autopilot.h"
@@ -55,12 +56,13 @@ class MavlinkVehicle {
 
  private:
   bool handle_protocol(const Message& message, SimTime now);
-  bool handle_set_point(const Message& message, const BothTimes& times);
-  void keep_set_points(const BothTimes& now);
+  bool handle_set_point(const Message& message, const BothTimes& both);
   bool handle_setting(const Message& message, SimTime now);
   bool answer_small_services(const Message& message, SimTime now);
   CommandReply execute(const Command& command, SimTime now);
   CommandReply to_reply(const Answer& answer);
+  bool waits_for_set_points(std::uint32_t custom_mode, SimTime now);
+  void decide_awaited_mode(SimTime now);
   MissionServerEvents mission_events();
   MissionVerdict check_mission(MissionType type, const Mission& list);
   void load_list(MissionType type);
@@ -91,8 +93,14 @@ class MavlinkVehicle {
     VehicleState state;
     std::string refusal;  // of a set-point
     SimTime refused_at;
-    std::optional<SimTime> set_point_at;  // by the wall
+    std::optional<BothTimes> set_point;  // that was good
   } newest_;
+  /// A mode that was asked for, and is entered once set-points have come for long enough.
+  struct AwaitedMode {
+    std::uint32_t custom_mode = 0;
+    Mode from = Mode::kHold;  // another one: somebody has asked for that since
+  };
+  std::optional<AwaitedMode> awaited_;
 };
 
 }  // namespace trident::bridges::mavlink
