@@ -9,15 +9,10 @@ from pathlib import Path
 
 import pytest
 import yaml
+from mavlink_vehicles import KINDS, write_fleet
 from trident.testing import Launch
-from trident_base.ports import free_port
 from trident_runs import Trident
 
-KINDS = {
-    "uav1": ("quadrotor", "px4"),
-    "ugv1": ("rover", "ardupilot"),
-    "usv1": ("boat", "ardupilot"),
-}
 ERRANDS = [
     {"vehicle": "uav1", "system": 1, "kind": "uav", "radius": 2.0, "take_off": 3.0, "end": "land",
      "places": [[6, -8, 5], [0, -12, 4]]},
@@ -26,14 +21,6 @@ ERRANDS = [
     {"vehicle": "usv1", "system": 3, "kind": "usv", "radius": 4.0, "end": "hold",
      "places": [[12, 0, 0]]},
 ]  # fmt: skip
-PORTS = (
-    "offboard_port",
-    "offboard_remote_port",
-    "gcs_port",
-    "tcp_port",
-    "px4_simulator_port",
-    "ardupilot_json_port",
-)
 
 
 @pytest.fixture
@@ -43,29 +30,11 @@ def trident() -> Iterator[Trident]:
     caller.clean()
 
 
-def write_vehicles(folder: Path) -> tuple[Path, int]:
-    """A file of three vehicles on ports that nobody has, and that of their router."""
-    router = free_port()
-    vehicles = [
-        {
-            "vehicle": name,
-            "kind": kind,
-            "autopilot": autopilot,
-            **{key: free_port() for key in PORTS},
-        }
-        for name, (kind, autopilot) in KINDS.items()
-    ]
-    path = folder / "vehicles.yaml"
-    content = {"vehicles": vehicles, "gcs_remote_port": free_port(), "router_port": router}
-    path.write_text(yaml.safe_dump(content), encoding="utf-8")
-    return path, router
-
-
 def test_a_client_leads_all_three_through_their_errands(trident: Trident, tmp_path: Path) -> None:
-    vehicles, port = write_vehicles(tmp_path)
+    fleet = write_fleet(tmp_path, uav1="px4")
     errands = tmp_path / "errands.yaml"
     errands.write_text(yaml.safe_dump({"errands": ERRANDS}), encoding="utf-8")
-    words = (f"vehicles:={vehicles}", f"port:={port}", f"errands:={errands}", "demo:=true")
+    words = (f"vehicles:={fleet.path}", f"port:={fleet.router}", f"errands:={errands}", "demo:=true")
     outcome = trident("run", "mavlink_fleet.launch", *words, "real_time_factor:=0")
     verdict = outcome.passed
     assert verdict["mode"] == "mavlink"
@@ -85,9 +54,9 @@ def test_a_client_leads_all_three_through_their_errands(trident: Trident, tmp_pa
 def test_runs_that_nobody_commands_are_equal(launch: Callable[..., Launch], tmp_path: Path) -> None:
     hashes = set()
     for _ in range(2):
-        vehicles, _ = write_vehicles(tmp_path)
+        fleet = write_fleet(tmp_path, uav1="px4")
         words = ("trident_bringup", "mavlink_fleet.launch")
-        args = {"vehicles": str(vehicles), "duration": 3.0}
+        args = {"vehicles": str(fleet.path), "duration": 3.0}
         run = launch(*words, env={"TRIDENT_END": "1"}, **args)
         assert run.process.wait() == 0, run.log
         assert run.results()["repeatable"], run.results()

@@ -23,6 +23,12 @@ constexpr std::uint16_t kInPassing[] = {
     command::kJump,     command::kChangeSpeed,      command::kSetHome,
     command::kSetServo, command::kRegionOfInterest, command::kEnableFence};
 
+// MAV_CMD_DO_SET_RELAY to _DO_REPEAT_SERVO without kSetServo; _DO_CONTROL_VIDEO, _DO_DIGICAM_* to
+// _DO_SET_CAM_TRIGG_DIST, _DO_SET_CAM_TRIGG_INTERVAL; _SET_CAMERA_*; _DO_GIMBAL_MANAGER_*;
+// _IMAGE_*_CAPTURE, _VIDEO_*_CAPTURE.
+constexpr std::uint16_t kForPayload[] = {181, 182, 184, 200, 202,  203,  204,  205,  206, 214,
+                                         530, 531, 532, 1000, 1001, 2000, 2001, 2500, 2501};
+
 template <std::size_t size>
 bool has(const std::uint16_t (&list)[size], std::uint16_t command) {
   return std::find(std::begin(list), std::end(list), command) != std::end(list);
@@ -76,10 +82,13 @@ double or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
 
 bool is_navigation(std::uint16_t item) { return has(kNavigation, item); }
 
+bool is_for_payload(std::uint16_t item) { return has(kForPayload, item); }
+
 Answer check_mission(const std::vector<MissionItem>& items, VehicleClass vehicle) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string where = "mission item " + std::to_string(i) + ": ";
     const std::uint16_t number = items[i].command;
+    if (is_for_payload(number)) continue;
     if (!is_navigation(number) && !has(kInPassing, number)) {
       return {Result::kUnsupported, where + "command " + std::to_string(number) + " is not known"};
     }

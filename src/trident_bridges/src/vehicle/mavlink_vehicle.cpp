@@ -108,7 +108,6 @@ bool MavlinkVehicle::handle(const Message& message, const BothTimes& now) {
          handle_setting(message, now.simulated) || answer_small_services(message, now.simulated);
 }
 
-/// Who sends by the wall's clock is not late where the world is faster: the smaller age counts.
 bool MavlinkVehicle::handle_protocol(const Message& message, SimTime now) {
   return commands_.handle(message, now) || missions_.handle(message, now) ||
          parameters_.handle(message, now) || streams_.handle(message, now);
@@ -299,14 +298,30 @@ MissionServerEvents MavlinkVehicle::mission_events() {
 
 MissionVerdict MavlinkVehicle::check_mission(MissionType type, const Mission& list) {
   if (type == MissionType::kMission) {
-    return to_verdict(bridges::check_mission(
+    MissionVerdict verdict = to_verdict(bridges::check_mission(
         to_autopilot(list, flavor_of(options_.flavour), places()), class_of(options_.kind)));
+    if (verdict.is_accepted()) note_payload_items(list);
+    return verdict;
   }
   if (type == MissionType::kRally) return {};
   std::vector<Fence::Region> regions;
   MissionVerdict verdict = read_fence(list, places(), regions);
   if (!verdict.is_accepted()) return verdict;
   return to_verdict(autopilot_.load_fence(std::move(regions)));
+}
+
+/// Items without effect are named once, with the upload.
+void MavlinkVehicle::note_payload_items(const Mission& list) {
+  const auto is_without_effect = [](const MissionItem& item) {
+    return is_for_payload(item.command);
+  };
+  const auto first = std::find_if(list.begin(), list.end(), is_without_effect);
+  if (first == list.end()) return;
+  const auto count = std::count_if(first, list.end(), is_without_effect);
+  say(Severity::kNotice, "mission: items for cameras, gimbals or relays have no effect: " +
+                             std::to_string(count) + ", from item " +
+                             std::to_string(first - list.begin()) + " (command " +
+                             std::to_string(first->command) + ")");
 }
 
 /// Gives a list that was checked to the autopilot.

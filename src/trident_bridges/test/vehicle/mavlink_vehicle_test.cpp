@@ -234,6 +234,21 @@ TEST(MavlinkVehicle, FollowsPlacesOfACompanionOnceTheyCome) {
       << drone.state.p_world_m.transpose();
 }
 
+TEST(MavlinkVehicle, PassesItemsForPayloadsAndSaysSo) {
+  FlownMavlinkVehicle drone(VehicleKind::kQuadrotor, AutopilotFlavour::kPx4);
+  Mission mission{item_at(MAV_CMD_NAV_TAKEOFF, {0, 0, 3}), item_at(MAV_CMD_NAV_WAYPOINT, {5, 0, 3})};
+  MissionItem picture;
+  picture.command = MAV_CMD_IMAGE_START_CAPTURE;
+  picture.frame = MAV_FRAME_MISSION;
+  mission.insert(mission.begin() + 1, picture);
+  ASSERT_TRUE(drone.upload(MissionType::kMission, mission).is_accepted());
+  EXPECT_EQ(drone.count_texts("relays have no effect: 1, from item 1 (command 2000)"), 1);
+  drone.command(MAV_CMD_COMPONENT_ARM_DISARM, {1});
+  EXPECT_EQ(drone.command(MAV_CMD_MISSION_START, {kNan, kNan}).result, CommandResult::kAccepted);
+  EXPECT_TRUE(drone.run_until([&] { return drone.has_text("Mission is finished."); }, 60.0));
+  EXPECT_NEAR(drone.state.p_world_m.x(), 5.0, 0.3);
+}
+
 /// A place 3 m above the ground, 4 m north.
 Message place_to_hold() {
   mavlink_set_position_target_local_ned_t target{};

@@ -45,6 +45,10 @@ struct MissionItem {
 /// Whether a vehicle goes somewhere, or stays, for this command; others are done in passing.
 bool is_navigation(std::uint16_t command);
 
+/// Whether the command is for cameras, gimbals, relays and the like, which no vehicle here has:
+/// missions may hold it, it is counted and has no effect.
+bool is_for_payload(std::uint16_t command);
+
 /// Whether a vehicle can fly this mission: item, field, value and legal range of the first that it
 /// cannot, as UNSUPPORTED or DENIED.
 Answer check_mission(const std::vector<MissionItem>& items, VehicleClass vehicle);

@@ -65,6 +65,7 @@ class MavlinkVehicle {
   void decide_awaited_mode(SimTime now);
   MissionServerEvents mission_events();
   MissionVerdict check_mission(MissionType type, const Mission& list);
+  void note_payload_items(const Mission& list);
   void load_list(MissionType type);
   void on_home_changed();
   bool emit(std::uint32_t id);
