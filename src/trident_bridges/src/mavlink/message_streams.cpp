@@ -183,8 +183,11 @@ CommandReply MessageStreams::get_interval(double id) {
 }
 
 CommandReply MessageStreams::request(double id) {
-  if (id >= 0.0 && id < 16777216.0 && emit_(static_cast<std::uint32_t>(id))) return {};
-  return {CommandResult::kDenied, numbered(id) + " is not sent by this vehicle", 0};
+  const bool is_id = id >= 0.0 && id < 16777216.0;
+  if (is_id && emit_(static_cast<std::uint32_t>(id))) return {};
+  const bool is_known = is_id && streams_.count(static_cast<std::uint32_t>(id)) > 0;
+  return {is_known ? CommandResult::kDenied : CommandResult::kUnsupported,
+          numbered(id) + " is not sent by this vehicle", 0};
 }
 
 }  // namespace trident::bridges::mavlink

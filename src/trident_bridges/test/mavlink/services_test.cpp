@@ -32,7 +32,7 @@ struct Streams {
             kVehicle, [this](const Message& m) { sent.push_back(m); }, vehicle_stream_rates(false),
             [this](std::uint32_t id) {
               ++emitted[id];
-              return id != MAVLINK_MSG_ID_DISTANCE_SENSOR;
+              return id != MAVLINK_MSG_ID_DISTANCE_SENSOR && id != MAVLINK_MSG_ID_COMPONENT_METADATA;
             }) {}
   /// Counts of what `seconds` of steps of 4 ms send.
   std::map<std::uint32_t, int> run(double seconds) {
@@ -129,6 +129,8 @@ TEST(MessageStreams, AMessageIsSentOnceWhenRequested) {
   EXPECT_EQ(vehicle.emitted[MAVLINK_MSG_ID_AUTOPILOT_VERSION], 1);
   request.params[0] = MAVLINK_MSG_ID_DISTANCE_SENSOR;
   EXPECT_EQ(vehicle.streams.execute(request, vehicle.now)->result, CommandResult::kDenied);
+  request.params[0] = MAVLINK_MSG_ID_COMPONENT_METADATA;
+  EXPECT_EQ(vehicle.streams.execute(request, vehicle.now)->result, CommandResult::kUnsupported);
   request.command = MAV_CMD_NAV_LAND;
   EXPECT_FALSE(vehicle.streams.execute(request, vehicle.now));
 }
