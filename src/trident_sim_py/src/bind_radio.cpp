@@ -62,11 +62,12 @@ void bind_radio(py::module_& module) {
              "Fields of the links; see Radio.links.");
   module.def(
       "radio_set_outage",
-      [](Session& s, const std::string& name, bool is_out) {
+      [](Session& s, const std::string& name, bool is_out, const std::string& other) {
         // For as long as a simulation can be, or over.
-        radio_of(s).set_outage(name, "", is_out ? SimTime{INT64_MAX} : SimTime{});
+        radio_of(s).set_outage(name, other, is_out ? SimTime{INT64_MAX} : SimTime{});
       },
-      py::arg("session"), py::arg("name"), py::arg("out"), "See Radio.set_outage.");
+      py::arg("session"), py::arg("name"), py::arg("out"), py::arg("other"),
+      "See Radio.set_outage.");
 }
 
 }  // namespace trident::sim

@@ -57,6 +57,22 @@ def test_an_outage_ends_a_link() -> None:
     assert world.radio.links()[0].lost == 1
 
 
+def test_two_radios_that_are_cut_off_from_each_other_hear_a_third() -> None:
+    world = two_robots(40.0)
+    world.spawn("c", sdf=ROBOT.format(name="c", more=""), pose=(20.0, 0.0, 1.0))
+    world.radio.set_outage("a", True, "b")
+    for name in ("b", "c"):
+        world.radio.send("a", name, b"x")
+    world.step(100)
+    assert [len(world.radio.receive(name)) for name in ("b", "c")] == [0, 1]
+    with pytest.raises(trident_sim.Error, match="has no link to itself"):
+        world.radio.set_outage("a", True, "a")
+    world.radio.set_outage("a", False, "b")
+    world.radio.send("a", "b", b"x")
+    world.step(100)
+    assert len(world.radio.receive("b")) == 1
+
+
 def test_the_same_seed_delivers_the_same() -> None:
     def run(seed: int) -> list[bytes]:
         world = two_robots(2500.0, "<rate>2</rate><tries>1</tries>", seed)

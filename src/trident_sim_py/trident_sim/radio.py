@@ -132,10 +132,15 @@ class Radio:
         """
         return [RadioLink(*fields) for fields in radio_links(self._session, source)]
 
-    def set_outage(self, name: str, out: bool) -> None:
+    def set_outage(self, name: str, out: bool, other: str = "") -> None:
         """Switches a radio off, so that it neither sends nor hears, or on again.
+
+        Args:
+            name: of the radio.
+            out: off.
+            other: a second radio: the two do not hear each other, and each still hears others.
 
         Raises:
             Error: an unknown name.
         """
-        radio_set_outage(self._session, name, out)
+        radio_set_outage(self._session, name, out, other)

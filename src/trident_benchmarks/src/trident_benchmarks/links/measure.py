@@ -10,6 +10,9 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from trident_benchmarks.links.benchmark import SUITES
+from trident_benchmarks.links.goodput import CASES, FULL_AMPDU, goodput_line, goodput_row
+from trident_benchmarks.links.ns3 import Ns3, ns3_peer
+from trident_benchmarks.links.per import per_line, per_rows
 from trident_benchmarks.links.radios import circle, goodput, radio_world, saturating
 from trident_benchmarks.links.station import station_line, station_row
 from trident_benchmarks.results import (
@@ -21,42 +24,8 @@ from trident_benchmarks.results import (
     write_document,
 )
 
-GOODPUT_LIMIT = 0.06  # of ns-3's figure
 ADAPTIVE_LIMIT = 0.92  # of the best fixed rate
-_NEAR_M = 10.0
-_FULL_AMPDU = 65535
 _COASTS = 30
-
-
-class Reference(NamedTuple):
-    """A run of ns-3 3.37: ad hoc, table-based errors, saturated UDP to one sink.
-
-    Attributes:
-        mcs, width, max_ampdu: of all stations; width [MHz], max_ampdu [bytes].
-        payload: of a datagram [bytes].
-        stations: that send.
-        mbit_s: goodput.
-    """
-
-    mcs: int
-    width: int
-    max_ampdu: int
-    payload: int
-    stations: int
-    mbit_s: float
-
-
-NS3_RUNS = (
-    Reference(7, 20, 0, 1472, 1, 30.82),
-    Reference(7, 20, 0, 1472, 2, 31.46),
-    Reference(7, 20, 0, 1472, 5, 28.63),
-    Reference(7, 20, 0, 1472, 10, 25.18),
-    Reference(7, 20, _FULL_AMPDU, 1472, 1, 59.77),
-    Reference(7, 20, _FULL_AMPDU, 1472, 5, 50.75),
-    Reference(0, 20, 0, 1472, 1, 5.58),
-    Reference(7, 20, 0, 100, 1, 3.71),
-    Reference(9, 80, _FULL_AMPDU, 1472, 1, 323.59),
-)
 
 
 class Load(NamedTuple):
@@ -88,31 +57,13 @@ LOADS = (
 )
 
 
-def goodput_row(reference: Reference, seconds: float) -> dict[str, Any]:
-    """Ours next to ns-3's."""
-    radio = saturating(reference.mcs, reference.width, reference.max_ampdu)
-    places = circle(reference.stations, _NEAR_M)
-    world = radio_world(places, radio)
-    ours = goodput(world, [name for name in places if name != "sink"], reference.payload, seconds)
-    error = ours / reference.mbit_s - 1.0
-    return {
-        "suite": "goodput",
-        **reference._asdict(),
-        "ns3_mbit_s": reference.mbit_s,
-        "mbit_s": ours,
-        "error": error,
-        "limit": GOODPUT_LIMIT,
-        "passed": abs(error) <= GOODPUT_LIMIT,
-    }
-
-
 def adaptive_row(distance: float, is_quick: bool) -> dict[str, Any]:
     """The adaptive rate next to the best fixed one, at a distance [m]."""
     places = {"sink": (0.0, 0.0), "source": (distance, 0.0)}
 
     def reach(mcs: int | str, seconds: float) -> float:
         return goodput(
-            radio_world(places, saturating(mcs, 20, _FULL_AMPDU)), ["source"], 1472, seconds
+            radio_world(places, saturating(mcs, 20, FULL_AMPDU)), ["source"], 1472, seconds
         )
 
     fixed = [reach(mcs, 0.25 if is_quick else 0.5) for mcs in range(9)]
@@ -169,9 +120,9 @@ def load_row(load: Load, seconds: float) -> dict[str, Any]:
 
 
 def _rows(suites: Sequence[str], is_quick: bool) -> Iterator[dict[str, Any]]:
-    if "goodput" in suites:
-        for reference in NS3_RUNS:
-            yield goodput_row(reference, 1.0 if is_quick else 5.0)
+    if "per" in suites or "goodput" in suites:
+        with ns3_peer() as peer:
+            yield from _peer_rows(peer, suites, is_quick)
     if "adaptive" in suites:
         count = 8 if is_quick else 40
         for i in range(count):
@@ -185,15 +136,25 @@ def _rows(suites: Sequence[str], is_quick: bool) -> Iterator[dict[str, Any]]:
             yield station_row(seed)
 
 
+def _peer_rows(
+    peer: Ns3 | None, suites: Sequence[str], is_quick: bool
+) -> Iterator[dict[str, Any]]:
+    if "per" in suites and peer is not None:
+        yield from per_rows(peer, is_quick)
+    if "goodput" in suites:
+        for case in CASES:
+            row = goodput_row(case, peer, 1.0 if is_quick else 5.0)
+            if row is not None:
+                yield row
+
+
 def line(row: dict[str, Any]) -> str:
     """A row as one line."""
     verdict = "" if row["passed"] else " (limit missed)"
+    if row["suite"] == "per":
+        return per_line(row) + verdict
     if row["suite"] == "goodput":
-        return (
-            f"MCS {row['mcs']}, {row['width']} MHz, A-MPDU {row['max_ampdu']}, {row['payload']} B,"
-            f" {row['stations']} stations: {row['mbit_s']:.2f} Mbit/s,"
-            f" ns-3 {row['ns3_mbit_s']:.2f}, {100 * row['error']:+.1f} %{verdict}"
-        )
+        return goodput_line(row) + verdict
     if row["suite"] == "adaptive":
         share = "-" if row["share"] is None else f"{row['share']:.3f}"
         return (
