@@ -78,11 +78,7 @@ struct Reference {
   int mcs, width_mhz;
   std::size_t max_ampdu, payload;
   int stations;
-  double mbit_s;  ///< ns-3 3.37, ad hoc, saturated UDP to one sink
-  /// Of ten stations ns-3's queues are so long that packets expire in them, which costs it frames
-  /// that say so (block acknowledgement requests): without that it has 28.7 Mbit/s, ours is
-  /// between.
-  double tolerance = 0.06;
+  double mbit_s;  ///< ns-3 3.37, ad hoc, saturated UDP to one sink, no packet expires in a queue
 };
 
 class Goodput : public testing::TestWithParam<Reference> {};
@@ -90,16 +86,17 @@ class Goodput : public testing::TestWithParam<Reference> {};
 TEST_P(Goodput, IsThatOfNs3) {
   const Reference& r = GetParam();
   const double ours = goodput(saturating(r.mcs, r.width_mhz, r.max_ampdu), r.stations, r.payload);
-  EXPECT_NEAR(ours, r.mbit_s, r.tolerance * r.mbit_s);
+  EXPECT_NEAR(ours, r.mbit_s, 0.06 * r.mbit_s);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     All, Goodput,
-    testing::Values(Reference{7, 20, 0, 1472, 1, 30.82}, Reference{7, 20, 0, 1472, 2, 31.46},
-                    Reference{7, 20, 0, 1472, 5, 28.63}, Reference{7, 20, 0, 1472, 10, 25.18, 0.08},
-                    Reference{7, 20, 65535, 1472, 1, 59.77},
-                    Reference{7, 20, 65535, 1472, 5, 50.75}, Reference{0, 20, 0, 1472, 1, 5.58},
-                    Reference{7, 20, 0, 100, 1, 3.71}, Reference{9, 80, 65535, 1472, 1, 323.59}));
+    testing::Values(Reference{7, 20, 0, 1472, 1, 30.76}, Reference{7, 20, 0, 1472, 2, 31.63},
+                    Reference{7, 20, 0, 1472, 5, 30.20}, Reference{7, 20, 0, 1472, 10, 28.76},
+                    Reference{7, 20, 65535, 1472, 1, 59.75},
+                    Reference{7, 20, 65535, 1472, 2, 56.62},
+                    Reference{7, 20, 65535, 1472, 5, 49.57}, Reference{0, 20, 0, 1472, 1, 5.58},
+                    Reference{7, 20, 0, 100, 1, 3.73}, Reference{9, 80, 65535, 1472, 1, 323.95}));
 
 TEST(HiddenStations, DisturbEachOtherMoreThanThoseThatHear) {
   Losses hidden;
@@ -108,6 +105,14 @@ TEST(HiddenStations, DisturbEachOtherMoreThanThoseThatHear) {
   const double hearing = goodput(params, 2, 1472), blind = goodput(params, 2, 1472, hidden);
   EXPECT_LT(blind, 0.8 * hearing);
   EXPECT_NEAR(blind, 22.93, 0.02 * 22.93);  // ns-3 3.37, two runs of 5 s: 22.98, 22.88
+}
+
+/// Long frames would meet again and again, were they sent again rather than asked for.
+TEST(HiddenStations, AskForTheAcknowledgementOfALongFrame) {
+  Losses hidden;
+  hidden.own[{1, 2}] = 300.0;
+  const double blind = goodput(saturating(7, 20, 65535), 2, 1472, hidden, 10.0);
+  EXPECT_NEAR(blind, 54.2, 0.15 * 54.2);  // ns-3 3.37, runs of 5 s: 53.2 to 54.9
 }
 
 TEST(AdaptiveRate, IsNearlyAsGoodAsTheBestFixedOneAtEachDistance) {

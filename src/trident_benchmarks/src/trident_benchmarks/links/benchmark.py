@@ -18,6 +18,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--suite", choices=SUITES, action="append", help="one of them; all")
     parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
     parser.add_argument("--picture", type=Path, metavar="FILE.png", help="goodput over distance")
+    parser.add_argument("--losses", type=Path, metavar="FILE.png", help="loss over ns-3's")
     parser.add_argument("--coast", type=Path, metavar="FILE.png", help="how radios cover the coast")
 
 

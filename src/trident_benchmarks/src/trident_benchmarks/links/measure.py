@@ -172,6 +172,7 @@ def measure(options: argparse.Namespace) -> int:
     """All rows; the exit code."""
     check_folder(options.out)
     check_folder(options.picture)
+    check_folder(options.losses)
     check_folder(options.coast)
     document = new_document() | {"rows": []}
     for row in _rows(options.suite or SUITES, options.quick):
@@ -183,11 +184,16 @@ def measure(options: argparse.Namespace) -> int:
 
 
 def _draw(options: argparse.Namespace, rows: list[dict[str, Any]]) -> None:
-    from trident_benchmarks.links.picture import draw_coast, draw_goodput
+    from trident_benchmarks.links.picture import draw_coast, draw_goodput, draw_losses
 
-    if options.picture:
-        draw_goodput(options.picture, [row for row in rows if row["suite"] == "adaptive"])
+    distances = [row for row in rows if row["suite"] == "adaptive"]
+    if options.picture and distances:
+        draw_goodput(options.picture, distances)
         say(f"written: {options.picture}")
+    losses = [row for row in rows if row["suite"] == "per"]
+    if options.losses and losses:
+        draw_losses(options.losses, losses)
+        say(f"written: {options.losses}")
     if options.coast:
         draw_coast(options.coast)
         say(f"written: {options.coast}")

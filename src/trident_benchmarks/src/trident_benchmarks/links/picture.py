@@ -56,6 +56,43 @@ def draw_goodput(path: Path, rows: Sequence[dict[str, Any]]) -> None:
     plt.close(figure)
 
 
+def draw_losses(path: Path, rows: Sequence[dict[str, Any]]) -> None:
+    """Loss over the ratio of signal to noise: counted, and ns-3's.
+
+    Args:
+        path: of the PNG.
+        rows: of the suite per.
+    """
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot as plt
+
+    widths = sorted({row["width"] for row in rows})
+    figure, panels = plt.subplots(
+        len(widths), 1, figsize=(10.0, 3.0 * len(widths)), layout="constrained", squeeze=False
+    )
+    marks = {1500: ("-", "o"), 100: ("--", "x")}
+    for axes, width in zip(panels[:, 0], widths, strict=True):
+        for row in (row for row in rows if row["width"] == width):
+            style, mark = marks[row["bytes"]]
+            shade = plt.get_cmap("turbo")(row["mcs"] / 9.0)
+            label = f"MCS {row['mcs']}" if row["bytes"] == 1500 else None
+            axes.semilogy(*np.array(row["ns3_curve"]).T, style, color=shade, linewidth=1.0)
+            axes.semilogy(*np.array(row["curve"]).T, mark, color=shade, markersize=4, label=label)
+        axes.set_ylim(5e-3, 1.1)
+        axes.set_xlim(-3.0, 28.0)
+        axes.set_ylabel(f"loss, {width} MHz")
+        axes.grid(True, which="both", alpha=0.3)
+    panels[0, 0].legend(ncol=5, fontsize=8, loc="lower left")
+    panels[0, 0].set_title(
+        "lines: ns-3, table-based; marks: counted here; solid, dots: 1500 bytes; dashed, crosses: 100"
+    )
+    panels[-1, 0].set_xlabel("signal over noise [dB]")
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
+
+
 def coast_coverage(cells: int) -> dict[str, npt.NDArray[np.float64]]:
     """How well a radio 1.5 m above the coast's ground or water hears some senders of 10 dBm.
 

@@ -17,6 +17,9 @@ constexpr double kNegligible_db = -20.0;
 constexpr double kPreamble_db = -1.0;
 // A frame's header is about as short as this, for those that only need to know how long it takes.
 constexpr std::size_t kHeaderBytes = 100;
+// More often than a frame is tried its acknowledgement is asked for: who waits for a gap between
+// the frames of a hidden station would else give up, and begin again with a short wait.
+constexpr int kRequestsPerTry = 2;
 // Random numbers of an acknowledgement lie beyond those of the subframes of its frame.
 constexpr std::uint32_t kAckChannel = 1000;
 
@@ -135,7 +138,7 @@ void RadioChannel::overhear(const Transmission& frame, const Reception& receptio
   const bool is_read = reception.is_locked && reception.success(frame.mcs, kHeaderBytes,
                                                                 frame.begin_ns, frame.end_ns) > 0.5;
   if (reception.is_audible) station.has_damaged = !is_read;
-  const bool is_answered = frame.kind == Transmission::Kind::kData &&
+  const bool is_answered = frame.kind != Transmission::Kind::kAck &&
                            frame.destination != kEverybody &&
                            frame.destination != reception.station;
   if (!is_read || !is_answered) return;
@@ -153,9 +156,18 @@ void RadioChannel::end_unicast(Transmission& frame) {
        frame.id);
   const Reception* reception = frame.reception(frame.destination);
   if (reception == nullptr || !reception->is_locked) return;
-  if (receive(frame, *reception) == 0) return;
+  const bool is_request = frame.kind == Transmission::Kind::kRequest;
+  const bool is_read =
+      is_request ? has_heard_request(frame, *reception) : receive(frame, *reception) > 0;
+  if (!is_read) return;
   answers_[frame.id] = {frame.source, frame.mcs, frame.subframes, frame.frame};
   plan(now_ns_ + vht::kSifs_ns, EventKind::kAck, frame.destination, frame.id);
+}
+
+bool RadioChannel::has_heard_request(const Transmission& frame, const Reception& reception) {
+  const double success =
+      reception.success(frame.mcs, vht::kRequestBytes, frame.begin_ns, frame.end_ns);
+  return flow(frame.source, frame.destination).random.uniform(frame.frame, 0) < success;
 }
 
 // Returns how many subframes have arrived in this frame.
@@ -250,10 +262,31 @@ void RadioChannel::end_ack(Transmission& frame) {
   if (own.random.uniform(frame.frame, kAckChannel) < success) finish(frame.destination, true);
 }
 
+// Whether an A-MPDU has arrived is asked with a short frame, rather than sending it again: where
+// stations do not hear each other, long frames would meet again and again. Who answers no request
+// has gone.
+void RadioChannel::miss_ack(int number) {
+  RadioStation& source = at(number);
+  if (!source.attempt || source.sent.size() < 2) return finish(number, false);
+  if (source.requests >= kRequestsPerTry * source.params.tries) {
+    for (const std::size_t i : source.sent) {
+      source.attempt->subframes[i].tries = source.params.tries;
+    }
+    return finish(number, false);
+  }
+  ++source.requests;
+  source.awaits = 0;
+  source.window = std::min(2 * source.window + 1, vht::kMaxWindow);
+  source.draw_backoff();
+  source.idle_from_ns = std::max(source.idle_from_ns, now_ns_);
+  contend(number);
+}
+
 // What a frame's sender knows now: which subframes to send again, which to give up.
 void RadioChannel::finish(int number, bool is_acknowledged) {
   RadioStation& source = at(number);
   source.awaits = 0;
+  source.requests = 0;
   if (!source.attempt) return;
   Attempt& attempt = *source.attempt;
   RadioFlow& own = flow(number, attempt.destination);
@@ -275,7 +308,7 @@ void RadioChannel::finish(int number, bool is_acknowledged) {
     return true;
   };
   subframes.erase(std::remove_if(subframes.begin(), subframes.end(), is_done), subframes.end());
-  const bool resets_window = arrived > 0 || subframes.empty();
+  const bool resets_window = is_acknowledged || subframes.empty();
   source.window =
       resets_window ? vht::kMinWindow : std::min(2 * source.window + 1, vht::kMaxWindow);
   if (subframes.empty()) source.attempt.reset();

@@ -14,6 +14,15 @@ namespace {
 // A probe of a faster mode need not carry more.
 constexpr std::size_t kProbeSubframes = 4;
 
+/// Of the n-th request for an acknowledgement [Mbit/s]: perhaps none is answered because the data's
+/// mode has become too fast for the link.
+int request_rate(int mcs, int n) {
+  constexpr int kOfARate = 2;
+  int rate = vht::control_rate(mcs);
+  for (int k = kOfARate; k < n && rate > 6; k += kOfARate) rate /= 2;
+  return rate;
+}
+
 std::size_t frame_bytes(const RadioPacket& packet) { return vht::kFrameBytes + packet.bytes(); }
 
 /// How many of `subframes` one frame takes with that mode, at least one.
@@ -145,7 +154,7 @@ void RadioChannel::happen(const Event& event, LinkLosses& losses) {
     case EventKind::kAck:
       return send_ack(event.station, event.key, losses);
     case EventKind::kTimeout:
-      if (event.key == at(event.station).awaits) finish(event.station, false);
+      if (event.key == at(event.station).awaits) miss_ack(event.station);
       return;
   }
 }
@@ -197,6 +206,7 @@ void RadioChannel::access(int number, LinkLosses& losses) {
   station.access_ns = kNever_ns;
   station.slots = 0;
   drop_expired(number);
+  if (station.attempt && station.requests > 0) return begin(request_frame(number), losses);
   if (!prepare(number)) return;
   const bool is_broadcast = station.attempt->destination == kEverybody;
   begin(is_broadcast ? broadcast_frame(number) : unicast_frame(number), losses);
@@ -279,6 +289,22 @@ Transmission RadioChannel::broadcast_frame(int number) {
   station.sent = {0};
   const RadioPacket& packet = station.attempt->subframes.front().packet;
   frame.end_ns = now_ns_ + vht::legacy_duration_ns(rate, frame_bytes(packet));
+  own.counts.airtime_ns += frame.end_ns - now_ns_;
+  return frame;
+}
+
+Transmission RadioChannel::request_frame(int number) {
+  RadioStation& station = at(number);
+  RadioFlow& own = flow(number, station.attempt->destination);
+  const int rate = request_rate(mcs(number, station.attempt->destination), station.requests);
+  Transmission frame;
+  frame.kind = Transmission::Kind::kRequest;
+  frame.source = number;
+  frame.destination = station.attempt->destination;
+  frame.mcs = vht::equal_mcs(rate);
+  frame.subframes = station.sent.size();
+  frame.frame = own.counts.frames++;
+  frame.end_ns = now_ns_ + vht::legacy_duration_ns(rate, vht::kRequestBytes);
   own.counts.airtime_ns += frame.end_ns - now_ns_;
   return frame;
 }

@@ -87,6 +87,7 @@ class RadioChannel {
   bool prepare(int number);
   Transmission unicast_frame(int number);
   Transmission broadcast_frame(int number);
+  Transmission request_frame(int number);
   void set_busy(int number);
   void set_idle(int number);
 
@@ -106,6 +107,8 @@ class RadioChannel {
   void settle(int number, double snr_db);
   void deliver(const RadioPacket& packet, int receiver, double snr_db);
   void send_ack(int number, std::uint64_t frame, LinkLosses& losses);
+  bool has_heard_request(const Transmission& frame, const Reception& reception);
+  void miss_ack(int number);
   void finish(int number, bool is_acknowledged);
 
   std::uint64_t seed_;

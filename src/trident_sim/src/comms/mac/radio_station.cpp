@@ -27,9 +27,12 @@ void RadioStation::draw_backoff() {
   slots = static_cast<std::int64_t>(random.uniform(draws++, 0) * (window + 1));
 }
 
+// The end of the usual wait counts as a slot, as do all ends of free slots after it (EDCA, IEEE
+// 802.11-2016, 10.22.2.4).
 void RadioStation::hold_backoff(std::int64_t now_ns) {
-  const std::int64_t counted = (now_ns - contention_begin_ns()) / vht::kSlot_ns;
-  slots -= std::clamp<std::int64_t>(counted, 0, slots);
+  const std::int64_t free_ns = now_ns - contention_begin_ns();
+  if (free_ns < 0) return;
+  slots -= std::min(free_ns / vht::kSlot_ns + 1, slots);
 }
 
 }  // namespace trident::sim

@@ -24,7 +24,7 @@ struct LinkCounts {
   std::uint64_t expired = 0;                     ///< too old before they could be sent
   std::uint64_t refused = 0;                     ///< the queue was full
   std::uint64_t bytes = 0;                       ///< of what was delivered
-  std::uint64_t frames = 0;                      ///< data frames on the air
+  std::uint64_t frames = 0;                      ///< on the air, of data and requests
   double delay_s = 0.0, squared_delay_s2 = 0.0;  ///< sums over what was delivered
   std::int64_t airtime_ns = 0;                   ///< of the data frames
   double snr_db = 0.0;                           ///< of the newest frame that was heard
@@ -78,7 +78,8 @@ struct RadioStation {
   int busy = 0;  ///< frames on the air that it hears, its own included
   bool is_sending = false;
   std::uint64_t awaits = 0;       ///< the frame that is to be acknowledged; 0: none
-  int sent_mcs = 0;               ///< of that frame
+  int sent_mcs = 0;               ///< of the data that it was for
+  int requests = 0;               ///< for the acknowledgement of an A-MPDU that has not come
   std::vector<std::size_t> sent;  ///< what of the attempt was in it
   std::uint64_t listens_to = 0;   ///< the frame that it receives; 0: none
   std::int64_t idle_from_ns = 0;  ///< when the channel became free, or will by what it has heard

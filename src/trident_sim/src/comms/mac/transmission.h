@@ -29,7 +29,8 @@ struct Reception {
 
 /// A frame on the air.
 struct Transmission {
-  enum class Kind { kData, kAck };
+  /// kRequest: asks once more for the acknowledgement of an A-MPDU.
+  enum class Kind { kData, kAck, kRequest };
   std::uint64_t id = 0;
   Kind kind = Kind::kData;
   int source = 0, destination = 0;

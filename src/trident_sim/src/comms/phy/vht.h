@@ -27,6 +27,7 @@ constexpr std::size_t kFrameBytes = 38;
 constexpr std::size_t kDelimiterBytes = 4;  ///< before each subframe of an A-MPDU
 constexpr std::size_t kAckBytes = 14;
 constexpr std::size_t kBlockAckBytes = 32;
+constexpr std::size_t kRequestBytes = 24;  ///< that ask for a block acknowledgement
 
 /// Whether there is such a mode: MCS 9 has no whole number of bits per symbol at 20 MHz.
 /// `width_mhz`: 20, 40 or 80.
