@@ -28,6 +28,7 @@ _ONLOOKERS = frozenset(
         ("robot_state_publisher", "state_publisher"),
         ("joint_state_publisher", "joint_state_publisher"),
         ("trident_viewer", "fleet_markers.py"),
+        ("trident_viewer", "link_markers.py"),
         ("trident_eval", "fleet_markers.py"),  # its old name
         ("rqt_gui", "rqt_gui"),
         ("rqt_graph", "rqt_graph"),

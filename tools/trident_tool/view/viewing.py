@@ -42,6 +42,8 @@ _HELD_LIMIT_S = 2.0  # in which what was sent until then has been written down
 _DEFAULT = "default"
 _STREAM = ["rosrun", "trident_viewer", "overview.py", "--stream", "--size", "720x450"]
 _MARKERS = ["rosrun", "trident_viewer", "fleet_markers.py"]
+_LINKS = "/link_markers"  # in a configuration that shows radio links
+_LINK_MARKERS = ["rosrun", "trident_viewer", "link_markers.py"]
 
 
 @dataclass(frozen=True)
@@ -114,6 +116,12 @@ def pick_config(workspace: Workspace, name: str | None) -> Path | None:
             return path
     names = ", ".join(path.stem for path in known) or "none"
     raise TridentError(f"there is no rviz configuration {name!r} in {folder} (it has: {names})")
+
+
+def marker_nodes(configuration: Path | None) -> list[list[str]]:
+    """Commands that feed a configuration of rviz."""
+    text = configuration.read_text(encoding="utf-8") if configuration else ""
+    return [_MARKERS, _LINK_MARKERS] if _LINKS in text else [_MARKERS]
 
 
 def _checked(configuration: Path) -> Path:
@@ -306,7 +314,8 @@ class _Scene:
 
     def show_in_rviz(self, command: list[str]) -> int:
         """Opens rviz, or has it take a screenshot; returns its exit code."""
-        self._start(_MARKERS, self.env)
+        for node in marker_nodes(self.configuration):
+            self._start(node, self.env)
         if self._is_of_a_world():
             self._start(_STREAM, self.env)
         with self._heard_transforms() as transforms:
