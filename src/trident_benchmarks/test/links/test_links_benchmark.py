@@ -7,15 +7,23 @@ from pathlib import Path
 import pytest
 from trident_benchmarks.__main__ import main
 from trident_benchmarks.links import measure
+from trident_benchmarks.links.goodput import CASES, GOODPUT_LIMIT, goodput_row
+from trident_benchmarks.links.per import PER_LIMIT_DB, counted_losses, ratio_at_tenth
 from trident_benchmarks.links.picture import coast_coverage, draw_goodput
 from trident_benchmarks.results import UNUSABLE
 
 
 def test_goodput_of_one_station_is_that_of_ns3() -> None:
-    row = measure.goodput_row(measure.NS3_RUNS[0], 0.3)
+    row = goodput_row(CASES[0], None, 0.3)
+    assert row is not None
     assert row["passed"]
-    assert row["mbit_s"] == pytest.approx(30.82, rel=measure.GOODPUT_LIMIT)
-    assert "ns-3 30.82" in measure.line(row)
+    assert row["mbit_s"] == pytest.approx(30.82, rel=GOODPUT_LIMIT)
+    assert "recorded: 30.82" in measure.line(row)
+
+
+def test_a_tenth_of_the_frames_is_lost_at_the_ratio_of_ns3() -> None:
+    curve = counted_losses(7, 20, 1500, 19.62, 200)
+    assert ratio_at_tenth(curve) == pytest.approx(19.62, abs=PER_LIMIT_DB)
 
 
 def test_a_load_reaches_its_receiver() -> None:
