@@ -38,6 +38,10 @@ NO_NODES = {
     "gazebo_ros/debug": "a shell script that starts gzserver in a debugger",
     "gazebo_ros/gazebo": "a shell script that starts gzserver",
     "gazebo_ros/gzclient": "a shell script without a node",
+    **{
+        f"mavros/{name}": "asks what mavros_node serves once, and ends"
+        for name in ("checkid", "mavcmd", "mavparam", "mavsafety", "mavsys", "mavwp")
+    },
     "gazebo_ros/perf": "a shell script that starts gzserver in a profiler",
     "trident_benchmarks/nav_drive_pains": "reads scenes from a file; never calls ros::init",
     "trident_benchmarks/nav_people": "reads crossings from a file; never calls ros::init",
@@ -48,6 +52,8 @@ NO_NODES = {
     "trident_eval/observer.py": "becomes trident_viewer's",
     "trident_eval/overview.py": "becomes trident_viewer's",
     "trident_eval/slam_tour.py": "becomes trident_benchmarks'",
+    "trident_bridges/modbus_tool": "reads map files, or a device; never calls ros::init",
+    "trident_bridges/sitl_program.py": "becomes the program of an autopilot",
     "trident_bridges/latency_probe": "measures a topic for ./trident latency, and ends",
     "trident_eval/latency_test.py": "measures its own topic, and ends with Ctrl-C",
     "trident_slam/slam_offline_bag": "reads a file; never calls ros::init",

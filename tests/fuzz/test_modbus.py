@@ -11,7 +11,8 @@ from typing import Any
 
 import pytest
 from hostile import Asked, answers_on, started
-from std_msgs.msg import Float64
+from sensor_msgs.msg import BatteryState
+from std_msgs.msg import Float32, Float64
 from trident.testing import Ros, program
 from trident_base.ports import free_port
 
@@ -55,3 +56,37 @@ def test_device(ros: Ros, tmp_path: Path) -> None:
 def test_client(ros: Ros, tmp_path: Path) -> None:
     client = device_and_client(ros, tmp_path)["client"]
     answers_on(client, "/client/client", Asked("/client/force", changing(), "/plc/force", Float64))
+
+
+#: What the vessel of the next two nodes measures.
+THRUST = "/boat/thrusters/left_thrust"
+
+
+def thrust() -> Float32:
+    return Float32(20.0)
+
+
+@pytest.mark.fuzzes("trident_bridges/vessel_plant.py")
+def test_plant(ros: Ros) -> None:
+    command = [program("trident_bridges", "vessel_plant.py"), "__name:=plant", "__ns:=/boat"]
+    process = started(ros, "/boat/plant", command)
+    thrust = Asked(
+        "/boat/thrusters/left_thrust", lambda: Float32(20.0), "/boat/battery", BatteryState
+    )
+    answers_on(process, "/boat/plant", thrust)
+
+
+@pytest.mark.fuzzes("trident_bridges/plc_pilot.py")
+def test_pilot(ros: Ros, tmp_path: Path) -> None:
+    ros.set_param(
+        "/bridge/pilot",
+        {"plan": [[0.0, 60.0, 60.0]], "vessel": "boat", "timeout": 0.5, "limits": [-100.0, 100.0]}
+        | {"out_dir": str(tmp_path)},
+    )
+    command = [program("trident_bridges", "plc_pilot.py"), "__name:=pilot", "__ns:=/bridge"]
+    process = started(ros, "/bridge/pilot", command)
+    thrust = "/boat/thrusters/left_thrust"
+    command_topic = "/bridge/thrusters/left_thrust_cmd"
+    answers_on(
+        process, "/bridge/pilot", Asked(thrust, lambda: Float32(20.0), command_topic, Float32)
+    )

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 import rospy
+from gazebo_msgs.msg import ModelStates
 from geometry_msgs.msg import Point, Pose, Quaternion, Twist
 from hostile import (
     MESSAGES,
@@ -26,7 +27,7 @@ from trident.testing import Gazebo, Ros, box_sdf, eventually, program, recorder
 from trident.testing.fuzz import Target
 from visualization_msgs.msg import MarkerArray
 
-from trident_msgs.msg import FleetState
+from trident_msgs.msg import FleetState, LinkStatus, LinkStatusArray
 
 #: Messages after which a world that works alongside a node is stepped.
 BATCH = 20
@@ -60,6 +61,37 @@ def test_fleet_markers(ros: Ros) -> None:
 
     withstands(process, "/markers", still_shows, {"/gazebo/fleet_state": fleet()})
     states.unregister()
+
+
+def link() -> LinkStatusArray:
+    """Between two vehicles."""
+    return LinkStatusArray(links=[LinkStatus(source="UAV1", destination="UAV2", up=True)])
+
+
+@pytest.mark.fuzzes("trident_viewer/link_markers.py")
+def test_link_markers(ros: Ros) -> None:
+    command = [program("trident_viewer", "link_markers.py"), "__name:=link_markers"]
+    process = started(ros, "/link_markers", command)
+    places = rospy.Publisher("/gazebo/model_states", ModelStates, queue_size=10)
+    links = rospy.Publisher("/radio/links", LinkStatusArray, queue_size=10)
+    poses = ModelStates(name=fleet().name, pose=fleet().pose)
+    with recorder("/link_markers", MarkerArray) as markers:
+
+        def still_shows() -> None:
+            shown = len(markers.messages)
+
+            def is_shown() -> bool:
+                places.publish(poses)
+                links.publish(link())
+                newest = markers.messages[-1].markers if len(markers.messages) > shown else []
+                return "UAV1 - UAV2" in {marker.ns for marker in newest}
+
+            eventually(is_shown, "the link")
+
+        examples = {"/gazebo/model_states": poses, "/radio/links": link()}
+        withstands(process, "/link_markers", still_shows, examples)
+    places.unregister()
+    links.unregister()
 
 
 def is_heard(target: Target, kind: type, count: int) -> bool:

@@ -34,7 +34,12 @@ def test_a_client_leads_all_three_through_their_errands(trident: Trident, tmp_pa
     fleet = write_fleet(tmp_path, uav1="px4")
     errands = tmp_path / "errands.yaml"
     errands.write_text(yaml.safe_dump({"errands": ERRANDS}), encoding="utf-8")
-    words = (f"vehicles:={fleet.path}", f"port:={fleet.router}", f"errands:={errands}", "demo:=true")
+    words = (
+        f"vehicles:={fleet.path}",
+        f"port:={fleet.router}",
+        f"errands:={errands}",
+        "demo:=true",
+    )
     outcome = trident("run", "mavlink_fleet.launch", *words, "real_time_factor:=0")
     verdict = outcome.passed
     assert verdict["mode"] == "mavlink"

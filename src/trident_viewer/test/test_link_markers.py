@@ -9,17 +9,17 @@ import pytest
 
 pytest.importorskip("rospy")
 
-from gazebo_msgs.msg import ModelStates  # noqa: E402
-from geometry_msgs.msg import Point, Pose, Quaternion  # noqa: E402
-from trident_viewer.link_markers import (  # noqa: E402
+from gazebo_msgs.msg import ModelStates
+from geometry_msgs.msg import Point, Pose, Quaternion
+from trident_viewer.link_markers import (
     LinkMarkers,
     links_problem,
     places_problem,
     snr_color,
 )
-from visualization_msgs.msg import Marker  # noqa: E402
+from visualization_msgs.msg import Marker
 
-from trident_msgs.msg import LinkStatus, LinkStatusArray  # noqa: E402
+from trident_msgs.msg import LinkStatus, LinkStatusArray
 
 
 def states(**places: tuple[float, float, float]) -> Any:

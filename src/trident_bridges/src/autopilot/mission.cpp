@@ -26,7 +26,7 @@ constexpr std::uint16_t kInPassing[] = {
 // MAV_CMD_DO_SET_RELAY to _DO_REPEAT_SERVO without kSetServo; _DO_CONTROL_VIDEO, _DO_DIGICAM_* to
 // _DO_SET_CAM_TRIGG_DIST, _DO_SET_CAM_TRIGG_INTERVAL; _SET_CAMERA_*; _DO_GIMBAL_MANAGER_*;
 // _IMAGE_*_CAPTURE, _VIDEO_*_CAPTURE.
-constexpr std::uint16_t kForPayload[] = {181, 182, 184, 200, 202,  203,  204,  205,  206, 214,
+constexpr std::uint16_t kForPayload[] = {181, 182, 184, 200,  202,  203,  204,  205,  206, 214,
                                          530, 531, 532, 1000, 1001, 2000, 2001, 2500, 2501};
 
 template <std::size_t size>

@@ -48,13 +48,15 @@ void HeartbeatMonitor::update(const BothTimes& now) {
 
 double HeartbeatMonitor::age_s(Address source, const BothTimes& now) const {
   const auto it = heard_.find(source);
-  return it == heard_.end() ? std::numeric_limits<double>::infinity() : mavlink::age_s(it->second.when, now);
+  return it == heard_.end() ? std::numeric_limits<double>::infinity()
+                            : mavlink::age_s(it->second.when, now);
 }
 
 double HeartbeatMonitor::ground_station_age_s(const BothTimes& now) const {
   double youngest = std::numeric_limits<double>::infinity();
   for (const auto& [source, heard] : heard_) {
-    if (heard.heartbeat.is_ground_station()) youngest = std::min(youngest, mavlink::age_s(heard.when, now));
+    if (heard.heartbeat.is_ground_station())
+      youngest = std::min(youngest, mavlink::age_s(heard.when, now));
   }
   return youngest;
 }

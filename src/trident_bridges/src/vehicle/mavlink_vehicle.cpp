@@ -318,10 +318,10 @@ void MavlinkVehicle::note_payload_items(const Mission& list) {
   const auto first = std::find_if(list.begin(), list.end(), is_without_effect);
   if (first == list.end()) return;
   const auto count = std::count_if(first, list.end(), is_without_effect);
-  say(Severity::kNotice, "mission: items for cameras, gimbals or relays have no effect: " +
-                             std::to_string(count) + ", from item " +
-                             std::to_string(first - list.begin()) + " (command " +
-                             std::to_string(first->command) + ")");
+  say(Severity::kNotice,
+      "mission: items for cameras, gimbals or relays have no effect: " + std::to_string(count) +
+          ", from item " + std::to_string(first - list.begin()) + " (command " +
+          std::to_string(first->command) + ")");
 }
 
 /// Gives a list that was checked to the autopilot.

@@ -32,7 +32,8 @@ struct Streams {
             kVehicle, [this](const Message& m) { sent.push_back(m); }, vehicle_stream_rates(false),
             [this](std::uint32_t id) {
               ++emitted[id];
-              return id != MAVLINK_MSG_ID_DISTANCE_SENSOR && id != MAVLINK_MSG_ID_COMPONENT_METADATA;
+              return id != MAVLINK_MSG_ID_DISTANCE_SENSOR &&
+                     id != MAVLINK_MSG_ID_COMPONENT_METADATA;
             }) {}
   /// Counts of what `seconds` of steps of 4 ms send.
   std::map<std::uint32_t, int> run(double seconds) {

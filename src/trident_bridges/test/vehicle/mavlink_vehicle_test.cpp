@@ -236,7 +236,8 @@ TEST(MavlinkVehicle, FollowsPlacesOfACompanionOnceTheyCome) {
 
 TEST(MavlinkVehicle, PassesItemsForPayloadsAndSaysSo) {
   FlownMavlinkVehicle drone(VehicleKind::kQuadrotor, AutopilotFlavour::kPx4);
-  Mission mission{item_at(MAV_CMD_NAV_TAKEOFF, {0, 0, 3}), item_at(MAV_CMD_NAV_WAYPOINT, {5, 0, 3})};
+  Mission mission{item_at(MAV_CMD_NAV_TAKEOFF, {0, 0, 3}),
+                  item_at(MAV_CMD_NAV_WAYPOINT, {5, 0, 3})};
   MissionItem picture;
   picture.command = MAV_CMD_IMAGE_START_CAPTURE;
   picture.frame = MAV_FRAME_MISSION;

@@ -123,7 +123,8 @@ def _line(name: str, link: Any, a: Any, b: Any) -> list[Any]:
     if not link.up:
         return [line]
     label = Marker(header=header, ns=name, id=1, type=Marker.TEXT_VIEW_FACING)
-    middle = Point(0.5 * (a.x + b.x), 0.5 * (a.y + b.y), 0.5 * (a.z + b.z) + _ABOVE_M)
+    middle = Point(*(0.5 * p + 0.5 * q for p, q in ((a.x, b.x), (a.y, b.y), (a.z, b.z))))
+    middle.z += _ABOVE_M
     label.pose.position, label.pose.orientation.w = middle, 1.0
     label.scale.z, label.color, label.text = _LABEL_HEIGHT_M, _INK, f"{link.snr_db:.0f} dB"
     return [line, label]
@@ -140,7 +141,9 @@ class _Inputs:
         if is_wanted and not self._subscribers:
             self._subscribers = [
                 rospy.Subscriber("/radio/links", LinkStatusArray, self._on_links, queue_size=1),
-                rospy.Subscriber("/gazebo/model_states", ModelStates, self._on_places, queue_size=1),
+                rospy.Subscriber(
+                    "/gazebo/model_states", ModelStates, self._on_places, queue_size=1
+                ),
             ]
         elif not is_wanted:
             while self._subscribers:

@@ -136,9 +136,7 @@ def _rows(suites: Sequence[str], is_quick: bool) -> Iterator[dict[str, Any]]:
             yield station_row(seed)
 
 
-def _peer_rows(
-    peer: Ns3 | None, suites: Sequence[str], is_quick: bool
-) -> Iterator[dict[str, Any]]:
+def _peer_rows(peer: Ns3 | None, suites: Sequence[str], is_quick: bool) -> Iterator[dict[str, Any]]:
     if "per" in suites and peer is not None:
         yield from per_rows(peer, is_quick)
     if "goodput" in suites:

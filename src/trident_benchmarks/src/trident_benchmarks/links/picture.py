@@ -86,7 +86,7 @@ def draw_losses(path: Path, rows: Sequence[dict[str, Any]]) -> None:
         axes.grid(True, which="both", alpha=0.3)
     panels[0, 0].legend(ncol=5, fontsize=8, loc="lower left")
     panels[0, 0].set_title(
-        "lines: ns-3, table-based; marks: counted here; solid, dots: 1500 bytes; dashed, crosses: 100"
+        "lines: ns-3, by table; marks: counted here; solid, dots: 1500 bytes; dashed, crosses: 100"
     )
     panels[-1, 0].set_xlabel("signal over noise [dB]")
     figure.savefig(path, dpi=110)

@@ -70,9 +70,7 @@ class GroundStation:
     def demand(self, message_id: int, name: str) -> Any:
         """The message itself, which comes before or after its acknowledgement."""
         number = mavlink.MAV_CMD_REQUEST_MESSAGE
-        self.mav.command_long_send(
-            self.system, 1, number, 0, float(message_id), 0, 0, 0, 0, 0, 0
-        )
+        self.mav.command_long_send(self.system, 1, number, 0, float(message_id), 0, 0, 0, 0, 0, 0)
         got: dict[str, Any] = {}
         while set(got) != {"COMMAND_ACK", name}:
             message = self.hear(["COMMAND_ACK", name])
@@ -161,7 +159,9 @@ def ask_for_parameters(station: GroundStation) -> None:
     """All, one of them, a change of it and back."""
     values = station.parameters()
     assert len(values) > 20
-    name = next(one for one in ("RTL_RETURN_ALT", "FS_GCS_TIMEOUT", "FENCE_RADIUS") if one in values)
+    name = next(
+        one for one in ("RTL_RETURN_ALT", "FS_GCS_TIMEOUT", "FENCE_RADIUS") if one in values
+    )
     of_name: Match = lambda message: message.param_id == name  # noqa: E731
     for value in (values[name] + 1.0, values[name]):
         kind = mavlink.MAV_PARAM_TYPE_REAL32

@@ -25,6 +25,7 @@ SIDES = ("port", "starboard")
 PUMP_M_S = 0.01  # how fast a pump lowers the water
 LEAK_LEVEL_M = 0.005  # at which the sensor is wet
 BASE_LOAD_W = 40.0
+MOST_THRUST_N = 1000.0  # of a propeller, either way
 FULL_V, EMPTY_V, RESISTANCE_OHM = 29.0, 22.0, 0.02
 # Power of an ideal propeller grows with the 3/2 power of its thrust (momentum theory).
 WATT_PER_N15 = 0.4
@@ -92,7 +93,14 @@ class PlantNode:
             rospy.Subscriber(f"bilge/{side}_pump", Bool, partial(self._on_pump, side))
 
     def _on_thrust(self, name: str, message: Float32) -> None:
-        self._plant.thrust_n[name] = message.data
+        if abs(message.data) <= MOST_THRUST_N:  # false of NaN
+            self._plant.thrust_n[name] = message.data
+            return
+        rospy.logwarn_throttle(
+            5.0,
+            f"thrusters/{name}_thrust is {message.data:g} N, legal: up to {MOST_THRUST_N:g} N; "
+            "the last one stays",
+        )
 
     def _on_pump(self, side: str, message: Bool) -> None:
         self._plant.pump[side] = message.data
