@@ -9,11 +9,18 @@ import struct
 import pytest
 import rospy
 from geometry_msgs.msg import PoseStamped
-from hostile import Asked, answers_on, started
+from hostile import Asked, answers_on, started, withstands
 from mavros_msgs.msg import Mavlink
 from pymavlink.dialects.v20 import common
 from trident.testing import Ros, program
 from trident_base.ports import free_port
+
+#: Services whose answer is the vehicle's, for which they would wait for seconds each.
+ASK_THE_VEHICLE = (
+    *(f"/mavros/{group}/*" for group in ("cmd", "mission", "geofence", "rallypoint", "param")),
+    *(f"/mavros/{group}/*" for group in ("ftp", "log_transfer", "home_position")),
+    *(f"/mavros/{name}" for name in ("set_*", "vehicle_info_get")),
+)
 
 
 def echo_url() -> str:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 // What ns-3 says of the radios that the simulator models: `./trident bench links` builds this where
-// libns3-dev is installed, and runs it beside its own measurements.
+// libns3-dev is installed, and runs it next to its own measurements.
 //   ns3_peer --task=per --width=20                     lines `mcs bytes snr_db loss`
 //   ns3_peer --task=goodput --mcs=7 --stations=5 …     one line, Mbit/s of payload at the sink
 #include <cmath>
@@ -120,7 +120,7 @@ ApplicationContainer send(const Options& options, const NodeContainer& nodes, st
 }
 
 // Returns the sink's server. Each station offers more than its share; it has asked for its address
-// and agreed on acknowledgements before, one station after the other, so that these do not meet.
+// and agreed on acknowledgements before, one station after the other, so that these do not collide.
 Ptr<UdpServer> install_traffic(const Options& options, const NodeContainer& nodes,
                                const NetDeviceContainer& devices) {
   InternetStackHelper().Install(nodes);

@@ -33,7 +33,7 @@ def status(*links: tuple[str, str, float, bool]) -> Any:
     )
 
 
-def test_a_line_per_pair_has_the_color_of_its_worse_way() -> None:
+def test_a_line_per_pair_has_the_color_of_its_worse_direction() -> None:
     links = LinkMarkers()
     links.add_links(status(("a", "b", 25.0, True), ("b", "a", 4.0, True), ("a", "c", -9.0, False)))
     assert links.markers() is None, "nobody has said where they are"

@@ -107,7 +107,7 @@ TEST(HiddenStations, DisturbEachOtherMoreThanThoseThatHear) {
   EXPECT_NEAR(blind, 22.93, 0.02 * 22.93);  // ns-3 3.37, two runs of 5 s: 22.98, 22.88
 }
 
-/// Long frames would meet again and again, were they sent again rather than asked for.
+/// Long frames would collide again and again, were they sent again rather than asked for.
 TEST(HiddenStations, AskForTheAcknowledgementOfALongFrame) {
   Losses hidden;
   hidden.own[{1, 2}] = 300.0;

@@ -96,13 +96,13 @@ class LinkMarkers:
                 return None
             links, places, self._is_new = self._links, dict(self._places), False
         found = [Marker(action=Marker.DELETEALL)]
-        for (a, b), link in sorted(_worse_ways(links).items()):
+        for (a, b), link in sorted(_worse_directions(links).items()):
             if a in places and b in places:
                 found += _line(f"{a} - {b}", link, places[a], places[b])
         return MarkerArray(found)
 
 
-def _worse_ways(links: list[Any]) -> dict[tuple[str, str], Any]:
+def _worse_directions(links: list[Any]) -> dict[tuple[str, str], Any]:
     """By pair, in the order of the names, the direction that is worse."""
     worse: dict[tuple[str, str], Any] = {}
     for link in links:

@@ -74,7 +74,7 @@ Link::Link(const LinkOptions& options, bridges::PollLoop& loop, Events events)
       parser_(true),
       writer_(key_.signer()) {
   router_.add_peer(kThisNode, "this node");
-  // What a vehicle answers to a ground station tells that its mission has changed.
+  // What a vehicle answers to a ground station shows that its mission has changed.
   router_.let_hear_all(kThisNode);
   open(options.fcu_url, options.allow_remote, loop);
   if (!options.gcs_url.empty()) open(options.gcs_url, options.allow_remote, loop);

@@ -150,7 +150,8 @@ ros::Time VehicleSide::stamp(std::int64_t since_boot_ns) const {
 
 std::uint32_t VehicleSide::boot_ms(const ros::Time& stamp) const {
   const auto& offset = timesync_.best();
-  const double apart_s = std::abs((stamp - ros::Time::now()).toSec());
+  // The difference of two times may be no ros::Duration.
+  const double apart_s = std::abs(stamp.toSec() - ros::Time::now().toSec());
   if (stamp.isZero() || apart_s > kClocksApart_s || (!is_one_clock_ && !offset)) return 0;
   const std::int64_t ns =
       static_cast<std::int64_t>(stamp.toNSec()) + (is_one_clock_ ? 0 : offset->offset_ns);

@@ -26,8 +26,9 @@ using trajectory_msgs::MultiDOFJointTrajectory;
 using trajectory_msgs::MultiDOFJointTrajectoryPoint;
 
 constexpr unsigned kNoVelocity = 7U << 3, kNoAcceleration = 7U << 6, kNoYawRate = 1U << 11;
+constexpr int kLongest_s = 86'400;  // of a trajectory
 
-/// A point as a set-point: what it does not have is ignored. Angles of the pose beside yaw are,
+/// A point as a set-point: what it does not have is ignored. Angles of the pose other than yaw are,
 /// too.
 LocalTarget target_of(const MultiDOFJointTrajectoryPoint& point, std::uint8_t frame) {
   LocalTarget target = position_target(frame);
@@ -80,6 +81,7 @@ class SetpointTrajectory : public Plugin {
       if (point.transforms.empty()) return name + "it has no transform";
       if (point.time_from_start < last) return name + "time_from_start is before that before it";
       last = point.time_from_start;
+      if (last.sec > kLongest_s) return name + "time_from_start is more than a day";
       const std::string problem = problem_of(target_of(point, frame_));
       if (!problem.empty()) return name + problem;
     }

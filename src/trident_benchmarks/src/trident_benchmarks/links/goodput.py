@@ -23,7 +23,7 @@ class Case(NamedTuple):
         mcs, width, max_ampdu: of all stations; width [MHz], max_ampdu [bytes].
         payload: of a datagram [bytes].
         stations: that send.
-        recorded: goodput of an earlier run of ns-3 3.37 [Mbit/s]; None: there is none.
+        recorded: goodput of an earlier run of ns-3 3.37 [Mbit/s]; None: unknown.
         is_hidden: the stations do not hear each other.
     """
 

@@ -81,7 +81,7 @@ def build(folder: Path) -> Path:
     """Compile our program for ns-3.
 
     Raises:
-        EvalError: it does not compile, with the compiler's first complaint.
+        EvalError: it does not compile, with the compiler's first error.
     """
     source = package_folder("trident_benchmarks") / "ns3" / "ns3_peer.cpp"
     program = folder / "ns3_peer"
@@ -89,8 +89,8 @@ def build(folder: Path) -> Path:
     command = ["c++", "-std=c++17", "-O2", str(source), "-o", str(program), *libraries]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        complaints = [text for text in done.stderr.splitlines() if "error" in text]
-        raise EvalError(f"{source.name} does not compile: {(complaints or ['?'])[0]}")
+        errors = [text for text in done.stderr.splitlines() if "error" in text]
+        raise EvalError(f"{source.name} does not compile: {(errors or ['?'])[0]}")
     return program
 
 

@@ -64,7 +64,7 @@ class Autopilot {
   Answer load_fence(std::vector<Fence::Region> regions);
   /// Changes one parameter.
   Answer set_parameter(std::string_view name, double value);
-  /// Whether that mode is refused now, but will not be if set-points go on coming: see Watch.
+  /// Whether that mode is refused now, but will not be if set-points continue to come: see Watch.
   bool is_offboard_near(std::uint32_t custom_mode, SimTime now) const;
   /// What stands against arming now; empty: nothing.
   std::vector<std::string> arming_problems(SimTime now) const;

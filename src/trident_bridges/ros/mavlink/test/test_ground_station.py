@@ -146,7 +146,7 @@ def ask_who_it_is(station: GroundStation) -> None:
 
 
 def ask_for_files_and_logs(station: GroundStation) -> None:
-    """There are none."""
+    """Its list is empty."""
     missing = (FTP_NAK, FTP_FILE_NOT_FOUND)
     assert station.open_file(FTP_OPEN, "@PARAM/param.pck?withdefaults=1") == missing
     assert station.open_file(FTP_OPEN, "/etc/extras/component_general.json.xz") == missing

@@ -25,7 +25,7 @@ SIDES = ("port", "starboard")
 PUMP_M_S = 0.01  # how fast a pump lowers the water
 LEAK_LEVEL_M = 0.005  # at which the sensor is wet
 BASE_LOAD_W = 40.0
-MOST_THRUST_N = 1000.0  # of a propeller, either way
+MOST_THRUST_N = 1000.0  # of a propeller, of either sign
 FULL_V, EMPTY_V, RESISTANCE_OHM = 29.0, 22.0, 0.02
 # Power of an ideal propeller grows with the 3/2 power of its thrust (momentum theory).
 WATT_PER_N15 = 0.4

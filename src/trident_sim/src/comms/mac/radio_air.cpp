@@ -263,8 +263,8 @@ void RadioChannel::end_ack(Transmission& frame) {
 }
 
 // Whether an A-MPDU has arrived is asked with a short frame, rather than sending it again: where
-// stations do not hear each other, long frames would meet again and again. Who answers no request
-// has gone.
+// stations do not hear each other, long frames would collide again and again. Who answers no
+// request has gone.
 void RadioChannel::miss_ack(int number) {
   RadioStation& source = at(number);
   if (!source.attempt || source.sent.size() < 2) return finish(number, false);
