@@ -61,11 +61,10 @@ def test_mavros_node(ros: Ros) -> None:
     ros.set_param("/mavros", {"fcu_url": echo_url(), "gcs_url": ""})
     command = [program("mavros", "mavros_node"), "__name:=mavros"]
     process = started(ros, "/mavros", command)
-    answers_on(
-        process,
-        "/mavros",
-        Asked("/mavros/setpoint_position/local", place, "/mavlink/from", Mavlink),
-    )
+    target = Asked("/mavros/setpoint_position/local", place, "/mavlink/from", Mavlink)
+    examples = {target.topic: place()}
+    withstands(process, "/mavros", target.is_answered, examples, target.send, ASK_THE_VEHICLE)
+    target.close()
 
 
 @pytest.mark.fuzzes("mavros/gcs_bridge")
