@@ -5,7 +5,8 @@
 
 Parameters: ~host, ~port; ~out_dir, without which nothing is written; ~vehicle, the name of the
 model; ~antenna, its place in the model's frame [m]; ~origin, latitude and longitude [deg] and
-height above the ellipsoid [m] of the world's origin. Writes <vehicle>.nmea, as it came, and
+height above the ellipsoid [m] of the world's origin; ~unpause, whether a paused world runs once it
+is connected. Writes <vehicle>.nmea, as it came, and
 <vehicle>.nmea.json.
 """
 
@@ -18,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 import rospy
+from std_srvs.srv import Empty
 
 _RETRY_S = 0.2  # wall time
 _BLOCK = 1 << 16
@@ -48,6 +50,13 @@ def copy(connection: socket.socket, path: Path) -> None:
             log.write(block)
 
 
+def unpause() -> None:
+    """Lets the world run, as soon as it is there."""
+    name = "/gazebo/unpause_physics"
+    rospy.wait_for_service(name)
+    rospy.ServiceProxy(name, Empty)()
+
+
 def main() -> int:
     """Runs the node until the server ends; an exit code."""
     rospy.init_node("nmea_log")
@@ -62,6 +71,12 @@ def main() -> int:
     connection = connect(str(rospy.get_param("~host", "127.0.0.1")), int(rospy.get_param("~port")))
     if connection is None:
         return 0
+    try:
+        if rospy.get_param("~unpause", False):
+            unpause()
+    except (rospy.ROSException, rospy.ServiceException) as error:
+        rospy.logfatal("%s", error)
+        return 1
     if folder:
         path = Path(folder) / f"{vehicle}.nmea"
         path.with_suffix(".nmea.json").write_text(json.dumps(about), encoding="utf-8")
