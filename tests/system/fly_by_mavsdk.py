@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 import sys
+import threading
 import time
 from collections.abc import Callable
 from typing import Any
@@ -24,15 +25,19 @@ from mavsdk.plugins.telemetry import FixType, FlightMode, LandedState, Telemetry
 LIMIT_S = 40.0
 METERS_PER_DEGREE = 111_195.0  # of latitude, on a sphere
 HEIGHT_M = 4.0
+#: Set by whatever the vehicle says.
+NEWS = threading.Event()
 
 
 def until(condition: Callable[[], bool], what: str) -> None:
     """Waits for a condition; names it when it holds, and when it does not."""
     end = time.monotonic() + LIMIT_S
+    NEWS.clear()
     while not condition():
-        if time.monotonic() > end:
+        # Not under a lock: a condition may ask the client, whose threads call back.
+        if not NEWS.wait(end - time.monotonic()):
             sys.exit(f"not within {LIMIT_S:g} s: {what}")
-        time.sleep(0.01)
+        NEWS.clear()
     print(f"done: {what}", flush=True)
 
 
@@ -76,7 +81,11 @@ class Pilot:
         self.offboard = Offboard(system)
         self.heard: dict[str, Any] = {}
         self.texts: list[str] = []
-        self.telemetry.subscribe_status_text(lambda text, *_: self.texts.append(text.text))
+        self.telemetry.subscribe_status_text(self._note_text)
+
+    def _note_text(self, text: Any, *_: object) -> None:
+        self.texts.append(text.text)
+        NEWS.set()
 
     def listen(self, *names: str) -> None:
         """Until each of these subscriptions has heard something."""
@@ -84,6 +93,7 @@ class Pilot:
 
             def hear(value: object, *_: object, name: str = name) -> None:
                 self.heard[name] = value
+                NEWS.set()
 
             getattr(self.telemetry, f"subscribe_{name}")(hear)
         for name in names:

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 import yaml
-from mavlink_vehicles import KINDS, write_fleet
 from trident.testing import Launch
+from trident.testing.mavlink_vehicles import KINDS, write_fleet
 from trident_runs import Trident
 
 ERRANDS = [

@@ -10,10 +10,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-import yaml
 from trident.testing import Launch, eventually
 from trident.testing.clients import clients_python
-from trident_base.ports import free_port
+from trident.testing.mavlink_vehicles import write_fleet
 
 LIMIT_S = 60.0
 AT_ONCE_S = 0.5
@@ -26,7 +25,6 @@ LAUNCH = """<launch>
 </launch>
 """
 MODULES = "cmdlong,mode,arm,wp,misc,param,rc,battery"
-PORTS = ("offboard", "offboard_remote", "gcs", "tcp", "px4_simulator", "ardupilot_json")
 #: A take-off and two places next to where uav1 starts; item 0 is home.
 MISSION = """QGC WPL 110
 0 1 0 16 0 0 0 0 63.4394 10.3992 0 1
@@ -102,31 +100,18 @@ def mavproxy(port: int, folder: Path) -> Iterator[MavProxy]:
         client.process.wait()
 
 
-def write_vehicles(folder: Path) -> tuple[Path, int]:
-    """A file of the three vehicles, all as ArduPilot, and the TCP port of uav1."""
-    vehicles = [
-        {"vehicle": name, "kind": kind, "autopilot": "ardupilot"}
-        | {f"{part}_port": free_port() for part in PORTS}
-        for name, kind in (("uav1", "quadrotor"), ("ugv1", "rover"), ("usv1", "boat"))
-    ]
-    ports = {"gcs_remote_port": free_port(), "router_port": free_port()}
-    path = folder / "vehicles.yaml"
-    path.write_text(yaml.safe_dump({"vehicles": vehicles, **ports}), encoding="utf-8")
-    return path, int(str(vehicles[0]["tcp_port"]))
-
-
 def test_mavproxy_flies_a_mission_and_returns(
     launch: Callable[..., Launch], tmp_path: Path
 ) -> None:
     clients_python("MAVProxy")
-    vehicles, port = write_vehicles(tmp_path)
+    fleet = write_fleet(tmp_path)
     mission = tmp_path / "mission.txt"
     mission.write_text(MISSION.replace(" ", "\t").replace("QGC\tWPL\t110", "QGC WPL 110"))
     file = tmp_path / "fleet.launch"
-    file.write_text(LAUNCH.format(vehicles=vehicles))
+    file.write_text(LAUNCH.format(vehicles=fleet.path))
     run = launch(str(file))
     run.ready()
-    with mavproxy(port, tmp_path) as client:
+    with mavproxy(fleet.port("uav1", "tcp"), tmp_path) as client:
         client.expect("parameters")
         client.say("param set WPNAV_SPEED 450")
         eventually(lambda: client.answers("param show WPNAV_SPEED", "450.0"), "another speed")

@@ -12,7 +12,6 @@ from typing import Any
 
 import pytest
 import rospy
-import yaml
 from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from mavros_msgs.msg import CommandCode, State, StatusText, Waypoint, WaypointList
 from mavros_msgs.srv import CommandBool, SetMode, WaypointPull, WaypointPush
@@ -20,14 +19,9 @@ from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from sensor_msgs.msg import Imu
 from trident.testing import Launch, Recorder, eventually
+from trident.testing.mavlink_vehicles import write_fleet
 from trident_base.ports import free_port
 
-PORTS = ("offboard", "offboard_remote", "gcs", "tcp", "px4_simulator", "ardupilot_json")
-KINDS = (
-    ("uav1", "quadrotor", "px4"),
-    ("ugv1", "rover", "ardupilot"),
-    ("usv1", "boat", "ardupilot"),
-)
 #: Ten times real time is what a client of Python at 20 Hz of the wall keeps up with.
 LAUNCH = """<launch>
   <include file="$(find trident_bringup)/launch/mavlink_fleet.launch">
@@ -170,22 +164,15 @@ def assert_near(found: Any, expected: tuple[float, float, float], limit: float) 
 @pytest.fixture
 def fleet(launch: Callable[..., Launch], tmp_path: Path) -> Iterator[tuple[Launch, Station]]:
     """Three vehicles, two mavros, and a station at the first of them."""
-    vehicles = [
-        {"vehicle": name, "kind": kind, "autopilot": autopilot}
-        | {f"{part}_port": free_port() for part in PORTS}
-        for name, kind, autopilot in KINDS
-    ]
-    ports = {"gcs_remote_port": free_port(), "router_port": free_port()}
-    path = tmp_path / "vehicles.yaml"
-    path.write_text(yaml.safe_dump({"vehicles": vehicles, **ports}), encoding="utf-8")
+    vehicles = write_fleet(tmp_path, uav1="px4")
     station_port = free_port()
     text = LAUNCH.format(
-        vehicles=path,
-        own=vehicles[0]["offboard_remote_port"],
-        far=vehicles[0]["offboard_port"],
+        vehicles=vehicles.path,
+        own=vehicles.port("uav1", "offboard_remote"),
+        far=vehicles.port("uav1", "offboard"),
         to_station=free_port(),
         station=station_port,
-        router=ports["router_port"],
+        router=vehicles.router,
     )
     file = tmp_path / "fleet.launch"
     file.write_text(text, encoding="utf-8")

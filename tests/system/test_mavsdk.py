@@ -9,9 +9,9 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
-from mavlink_vehicles import write_fleet
 from trident.testing import Launch, output_of
 from trident.testing.clients import clients_python
+from trident.testing.mavlink_vehicles import write_fleet
 
 SCRIPT = Path(__file__).parent / "fly_by_mavsdk.py"
 #: MAVSDK lives by the wall's clock: a simulated second is 50 ms of it.

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from trident_eval.core.errors import EvalError
-from trident_eval.core.nmea import add_nmea, checksum, degrees, read_nmea, to_enu
+from trident_eval.core.nmea import add_nmea, checksum, degrees, read_nmea
 from trident_eval.core.nmea_plots import draw_nmea
 from trident_eval.core.report import verdict_rows
 from trident_eval.core.verdict import Verdict
@@ -132,9 +132,3 @@ def test_the_report_has_a_row_and_a_picture(run: Path, tmp_path: Path) -> None:
 def test_degrees_have_signs() -> None:
     assert degrees("6326.33400", "N") == pytest.approx(63.4389)
     assert degrees("01023.94000", "W") == pytest.approx(-10.399)
-
-
-def test_a_place_east_of_the_origin_is_east() -> None:
-    assert to_enu((ORIGIN[0], ORIGIN[1] + 1e-4, 5.0), ORIGIN) == pytest.approx(
-        np.array([4.9911, 0.0, 5.0]), abs=1e-4
-    )

@@ -17,6 +17,7 @@ from trident.testing import eventually
 
 _BEAT_S = 0.2
 _LIMIT_S = 20.0
+_ASK_AGAIN_S = 0.2  # what was published before the node listened is lost
 #: Number of the message, and the seed of its checksum: pymavlink's dialect lacks it.
 ESC_INFO, _ESC_INFO_SEED = 290, 251
 
@@ -42,6 +43,7 @@ class Peer:
         self._link.clients.add(self._far)
         self._link.last_address = self._far
         self.heard: list[Any] = []
+        self._news = threading.Condition()
         self._is_over = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -56,29 +58,40 @@ class Peer:
                 )
             message = self._link.recv_match(blocking=True, timeout=0.05)
             if message is not None:
-                self.heard.append(message)
+                with self._news:
+                    self.heard.append(message)
+                    self._news.notify_all()
 
     @property
     def send(self) -> Any:
         """Pymavlink's encoder."""
         return self._link.mav
 
-    def asked(self, ask: Callable[[], object], kind: str) -> Any:
-        """Ask again and again, until a message of that type has come; it.
+    def asked(
+        self,
+        ask: Callable[[], object],
+        kind: str,
+        is_meant: Callable[[Any], bool] = lambda _message: True,
+    ) -> Any:
+        """Ask again and again, until an answer has come; it.
 
         Args:
             ask: publishes or calls.
             kind: name of the message.
+            is_meant: which messages of that type count.
         """
         since = len(self.heard)
 
+        def answers() -> list[Any]:
+            return [m for m in self.heard[since:] if m.get_type() == kind and is_meant(m)]
+
         def comes() -> bool:
             ask()
-            time.sleep(0.02)
-            return any(message.get_type() == kind for message in self.heard[since:])
+            with self._news:
+                return bool(self._news.wait_for(answers, _ASK_AGAIN_S))
 
         eventually(comes, kind, _LIMIT_S)
-        return next(m for m in self.heard[since:] if m.get_type() == kind)
+        return answers()[0]
 
     def send_esc_info(self, temperatures: tuple[int, int, int, int]) -> None:
         """ESC_INFO of four motors [0.01 deg C]."""

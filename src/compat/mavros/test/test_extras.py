@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Iterator
 from typing import Any
 
@@ -133,14 +132,10 @@ def test_companions_speak_as_components_of_their_own(peer: Peer) -> None:
     status = CompanionProcessStatus(state=4, component=196)
     topic = "/uav1/mavros/companion_process/status"
     publisher = rospy.Publisher(topic, CompanionProcessStatus, queue_size=10)
-
-    def is_heard() -> bool:
-        publisher.publish(status)
-        time.sleep(0.02)
-        beats = [m for m in peer.heard if m.get_type() == "HEARTBEAT"]
-        return any(m.get_srcComponent() == 196 and m.system_status == 4 for m in beats)
-
-    eventually(is_heard, "the component's heartbeat")
+    beat = peer.asked(
+        lambda: publisher.publish(status), "HEARTBEAT", lambda m: m.get_srcComponent() == 196
+    )
+    assert beat.system_status == 4
     publisher.unregister()
     computer = OnboardComputerStatus(component=191, uptime=5, ram_total=7, temperature_board=-3)
     came = ask_by(peer, "onboard_computer/status", computer, "ONBOARD_COMPUTER_STATUS")

@@ -16,6 +16,11 @@ def test_a_minute_of_latitude_is_a_nautical_mile_to_the_north() -> None:
     assert up == pytest.approx(-(north**2) / (2.0 * 6.37e6), abs=0.01)
 
 
+def test_a_place_east_of_a_northern_origin_is_east() -> None:
+    place = Datum(63.4389, 10.399).position(63.4389, 10.3991, 5.0)
+    np.testing.assert_allclose(place, [4.9911, 0.0, 5.0], atol=1e-4)
+
+
 def test_east_and_height_at_the_equator() -> None:
     datum = Datum(0.0, 179.999, 10.0)
     east, north, up = datum.position(0.0, -179.999, 25.0)

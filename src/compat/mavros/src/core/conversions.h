@@ -41,6 +41,15 @@ inline void assign_rotation(geometry_msgs::Quaternion& to, const Eigen::Quaterni
   to.y = q.y();
   to.z = q.z();
 }
+/// Writes a rotation into the field q of a message of MAVLink: w, x, y, z. By the message: a packed
+/// field binds to no reference.
+template <class Payload>
+void assign_q(Payload& to, const Eigen::Quaterniond& q) {
+  to.q[0] = static_cast<float>(q.w());
+  to.q[1] = static_cast<float>(q.x());
+  to.q[2] = static_cast<float>(q.y());
+  to.q[3] = static_cast<float>(q.z());
+}
 /// Rotation from body to world of roll, pitch and yaw [rad].
 inline Eigen::Quaterniond from_euler(double roll, double pitch, double yaw) {
   return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *

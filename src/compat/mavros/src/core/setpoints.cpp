@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/conversions.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 #include "trident_bridges/mavlink/frames.h"
@@ -175,10 +176,7 @@ mavlink_set_attitude_target_t attitude_payload(const AttitudeSetpoint& target,
   const Eigen::Vector3d w = swap_body(target.w_body_rad_s);
   payload.time_boot_ms = time_boot_ms;
   payload.type_mask = target.mask;
-  payload.q[0] = static_cast<float>(q.w());
-  payload.q[1] = static_cast<float>(q.x());
-  payload.q[2] = static_cast<float>(q.y());
-  payload.q[3] = static_cast<float>(q.z());
+  assign_q(payload, q);
   payload.body_roll_rate = static_cast<float>(w.x());
   payload.body_pitch_rate = static_cast<float>(w.y());
   payload.body_yaw_rate = static_cast<float>(w.z());

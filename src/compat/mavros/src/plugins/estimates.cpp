@@ -143,10 +143,7 @@ class Mocap : public EstimatePlugin {
     const Eigen::Quaterniond q = swap_attitude(pose.R_world_body);
     mavlink_att_pos_mocap_t payload{};
     payload.time_usec = microseconds(stamp);
-    payload.q[0] = static_cast<float>(q.w());
-    payload.q[1] = static_cast<float>(q.x());
-    payload.q[2] = static_cast<float>(q.y());
-    payload.q[3] = static_cast<float>(q.z());
+    assign_q(payload, q);
     payload.x = static_cast<float>(p.x());
     payload.y = static_cast<float>(p.y());
     payload.z = static_cast<float>(p.z());
@@ -206,10 +203,7 @@ class Odom : public EstimatePlugin {
     payload.x = static_cast<float>(p.x());
     payload.y = static_cast<float>(p.y());
     payload.z = static_cast<float>(p.z());
-    payload.q[0] = static_cast<float>(q.w());
-    payload.q[1] = static_cast<float>(q.x());
-    payload.q[2] = static_cast<float>(q.y());
-    payload.q[3] = static_cast<float>(q.z());
+    assign_q(payload, q);
     payload.vx = static_cast<float>(v.x());
     payload.vy = static_cast<float>(v.y());
     payload.vz = static_cast<float>(v.z());

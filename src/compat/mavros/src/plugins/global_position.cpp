@@ -262,10 +262,7 @@ class HomePosition : public Plugin {
     payload.x = static_cast<float>(p.x());
     payload.y = static_cast<float>(p.y());
     payload.z = static_cast<float>(p.z());
-    payload.q[0] = static_cast<float>(q.w());
-    payload.q[1] = static_cast<float>(q.x());
-    payload.q[2] = static_cast<float>(q.y());
-    payload.q[3] = static_cast<float>(q.z());
+    assign_q(payload, q);
     payload.approach_x = static_cast<float>(approach.x());
     payload.approach_y = static_cast<float>(approach.y());
     payload.approach_z = static_cast<float>(approach.z());

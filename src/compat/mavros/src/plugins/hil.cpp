@@ -13,6 +13,7 @@
 
 #include "core/conversions.h"
 #include "core/typed_messages.h"
+#include "plugins/optical_flow.h"
 #include "plugins/plugins.h"
 
 namespace trident::mavros {
@@ -143,21 +144,9 @@ class Hil : public Plugin {
   }
 
   void send_flow(const mavros_msgs::OpticalFlowRad& m) {
-    const Eigen::Vector3d flow = swap_body({m.integrated_x, m.integrated_y, 0.0});
-    const Eigen::Vector3d turn =
-        swap_body({m.integrated_xgyro, m.integrated_ygyro, m.integrated_zgyro});
     mavlink_hil_optical_flow_t payload{};
     payload.time_usec = hil_time(m.header);
-    payload.integration_time_us = m.integration_time_us;
-    payload.integrated_x = static_cast<float>(flow.x());
-    payload.integrated_y = static_cast<float>(flow.y());
-    payload.integrated_xgyro = static_cast<float>(turn.x());
-    payload.integrated_ygyro = static_cast<float>(turn.y());
-    payload.integrated_zgyro = static_cast<float>(turn.z());
-    payload.temperature = m.temperature;
-    payload.quality = m.quality;
-    payload.time_delta_distance_us = m.time_delta_distance_us;
-    payload.distance = m.distance;
+    copy_flow(m, payload);
     send(vehicle_, payload);
   }
 

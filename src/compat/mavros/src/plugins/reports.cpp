@@ -17,12 +17,12 @@
 
 #include "core/conversions.h"
 #include "core/typed_messages.h"
+#include "plugins/optical_flow.h"
 #include "plugins/plugins.h"
 
 namespace trident::mavros {
 namespace {
 
-using bridges::mavlink::swap_body;
 using mavros_msgs::OpticalFlowRad;
 
 /// ESC_INFO and ESC_STATUS come for four motors at a time; topics have all of them.
@@ -164,22 +164,10 @@ class Px4Flow : public Plugin {
   static constexpr double kCentiDegrees = 0.01;
 
   void publish(const mavlink_optical_flow_rad_t& p) {
-    const Eigen::Vector3d flow = swap_body({p.integrated_x, p.integrated_y, 0.0});
-    const Eigen::Vector3d turn =
-        swap_body({p.integrated_xgyro, p.integrated_ygyro, p.integrated_zgyro});
     OpticalFlowRad m;
     m.header.stamp = hub_.vehicle.stamp_us(p.time_usec);
     m.header.frame_id = frame_id_;
-    m.integration_time_us = p.integration_time_us;
-    m.integrated_x = static_cast<float>(flow.x());
-    m.integrated_y = static_cast<float>(flow.y());
-    m.integrated_xgyro = static_cast<float>(turn.x());
-    m.integrated_ygyro = static_cast<float>(turn.y());
-    m.integrated_zgyro = static_cast<float>(turn.z());
-    m.temperature = p.temperature;
-    m.quality = p.quality;
-    m.time_delta_distance_us = p.time_delta_distance_us;
-    m.distance = p.distance;
+    copy_flow(p, m);
     flow_->publish(m);
     sensor_msgs::Temperature temperature;
     temperature.header = m.header;
@@ -196,21 +184,9 @@ class Px4Flow : public Plugin {
   }
 
   void send_flow(const OpticalFlowRad& m) {
-    const Eigen::Vector3d flow = swap_body({m.integrated_x, m.integrated_y, 0.0});
-    const Eigen::Vector3d turn =
-        swap_body({m.integrated_xgyro, m.integrated_ygyro, m.integrated_zgyro});
     mavlink_optical_flow_rad_t payload{};
     payload.time_usec = m.header.stamp.toNSec() / 1000;
-    payload.integration_time_us = m.integration_time_us;
-    payload.integrated_x = static_cast<float>(flow.x());
-    payload.integrated_y = static_cast<float>(flow.y());
-    payload.integrated_xgyro = static_cast<float>(turn.x());
-    payload.integrated_ygyro = static_cast<float>(turn.y());
-    payload.integrated_zgyro = static_cast<float>(turn.z());
-    payload.temperature = m.temperature;
-    payload.quality = m.quality;
-    payload.time_delta_distance_us = m.time_delta_distance_us;
-    payload.distance = m.distance;
+    copy_flow(m, payload);
     send(hub_.vehicle, payload);
   }
 

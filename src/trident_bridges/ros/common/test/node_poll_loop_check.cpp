@@ -9,28 +9,17 @@
 #include <trident_msgs/WindReading.h>
 
 #include <atomic>
-#include <functional>
 #include <thread>
 #include <vector>
 
+#include "poll_loop_test.h"
 #include "trident_bridges/transport/endpoint.h"
-#include "trident_bridges_ros/node_poll_loop.h"
 #include "trident_bridges_ros/node_publisher.h"
 
 namespace trident::bridges {
 namespace {
 
-class NodePollLoopTest : public testing::Test {
- protected:
-  bool spin(const std::function<bool()>& condition) {
-    const double limit_s = loop_.loop().now_s() + 60.0;
-    while (!condition() && loop_.loop().now_s() < limit_s) loop_.run_once(0.01);
-    return condition();
-  }
-
-  ros::NodeHandle node_;
-  NodePollLoop loop_;
-};
+class NodePollLoopTest : public PollLoopTest {};
 
 TEST_F(NodePollLoopTest, ATopicAndAnEndpointAreServedByOneThread) {
   const auto thread = std::this_thread::get_id();

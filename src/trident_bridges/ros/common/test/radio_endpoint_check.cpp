@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 #include <trident_msgs/RadioPacket.h>
 
-#include <functional>
 #include <map>
 #include <vector>
 
+#include "poll_loop_test.h"
 #include "trident_base/error.h"
 #include "trident_bridges_ros/node_publisher.h"
 
@@ -67,17 +67,7 @@ struct Radio {
   std::unique_ptr<Endpoint> endpoint;
 };
 
-class RadioEndpointTest : public testing::Test {
- protected:
-  bool spin(const std::function<bool()>& condition) {
-    const double limit_s = loop_.loop().now_s() + 60.0;
-    while (!condition() && loop_.loop().now_s() < limit_s) loop_.run_once(0.01);
-    return condition();
-  }
-
-  ros::NodeHandle node_;
-  NodePollLoop loop_;
-};
+class RadioEndpointTest : public PollLoopTest {};
 
 TEST_F(RadioEndpointTest, ARobotAnswersTheOneThatItHasHeard) {
   Radio a("radio://a@b/mavlink", loop_, node_);

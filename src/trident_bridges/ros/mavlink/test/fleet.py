@@ -8,53 +8,22 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import rospy
-import yaml
 from nav_msgs.msg import Odometry
 from trident.testing import Process, Ros, eventually, program
-from trident_base.ports import free_port
+from trident.testing.mavlink_vehicles import Entry, VehiclesFile, write_vehicles
 
-PORTS = ("offboard", "offboard_remote", "gcs", "tcp", "px4_simulator", "ardupilot_json")
 PERIOD_S = 0.02
-Entry = dict[str, Any]
 
 
-@dataclass
-class Ends:
-    """Where the node is.
-
-    Attributes:
-        router: its TCP port that carries all vehicles.
-        ground_station: the UDP port that all vehicles send to.
-    """
-
-    router: int
-    ground_station: int
-
-
-def entry(name: str, kind: str, **more: object) -> Entry:
-    """A vehicle on ports that nobody has."""
-    ports = {f"{part}_port": free_port() for part in PORTS}
-    return {"vehicle": name, "kind": kind, "autopilot": "ardupilot", **ports, **more}
-
-
-def start_fleet(ros: Ros, folder: Path, *vehicles: Entry) -> tuple[Process, Ends]:
-    """The node with these vehicles."""
-    ends = Ends(free_port(), free_port())
-    path = folder / "vehicles.yaml"
-    content = {
-        "vehicles": list(vehicles),
-        "gcs_remote_port": ends.ground_station,
-        "router_port": ends.router,
-    }
-    path.write_text(yaml.safe_dump(content), encoding="utf-8")
-    ros.set_param("/fleet/vehicles_file", str(path))
+def start_fleet(ros: Ros, folder: Path, *vehicles: Entry) -> tuple[Process, VehiclesFile]:
+    """The node with these vehicles, which may not be up yet."""
+    file = write_vehicles(folder, *vehicles)
+    ros.set_param("/fleet/vehicles_file", str(file.path))
     command = [program("trident_bridges", "mavlink_vehicle_node"), "__name:=fleet"]
-    return ros.launch(command), ends
+    return ros.launch(command), file
 
 
 @contextmanager

@@ -10,11 +10,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fleet import entry, standing_still, start_fleet
+from fleet import standing_still, start_fleet
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from trident.patience import Patience
 from trident.testing import Ros, eventually
+from trident.testing.mavlink_vehicles import entry
 
 ANSWER_S = 1.0
 # Not in pymavlink's dialect: https://mavlink.io/en/messages/common.html.
@@ -199,8 +200,8 @@ def ask_for_home(station: GroundStation) -> None:
 def ground_link(ros: Ros, tmp_path: Path) -> Iterator[Any]:
     """The UDP port that two vehicles send to, as QGroundControl opens it."""
     drone = entry("uav1", "quadrotor", autopilot="px4")
-    _, ends = start_fleet(ros, tmp_path, drone, entry("usv1", "boat"))
-    link = mavutil.mavlink_connection(f"udpin:127.0.0.1:{ends.ground_station}", source_system=255)
+    _, fleet = start_fleet(ros, tmp_path, drone, entry("usv1", "boat"))
+    link = mavutil.mavlink_connection(f"udpin:127.0.0.1:{fleet.ground_station}", source_system=255)
     with standing_still("/uav1/odometry_sensor1/odometry", "/usv1/odometry"):
         try:
             yield link

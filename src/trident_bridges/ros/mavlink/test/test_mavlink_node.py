@@ -11,38 +11,16 @@ from pathlib import Path
 from typing import Any
 
 import rospy
-import yaml
+from fleet import start_fleet
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
-from trident.testing import Process, Ros, eventually, program, recorder
+from trident.testing import Process, Ros, eventually, recorder
+from trident.testing.mavlink_vehicles import entry
 from trident_base.ports import free_port
 
 KEY = bytes(range(32))
-PORTS = ("offboard", "offboard_remote", "gcs", "tcp", "px4_simulator", "ardupilot_json")
-Entry = dict[str, Any]
-
-
-def entry(name: str, kind: str, **more: object) -> Entry:
-    """A vehicle on ports that nobody has."""
-    ports = {f"{part}_port": free_port() for part in PORTS}
-    return {"vehicle": name, "kind": kind, "autopilot": "ardupilot", **ports, **more}
-
-
-def started(ros: Ros, folder: Path, *vehicles: Entry) -> tuple[Process, int]:
-    """The node, and the port of its router."""
-    router = free_port()
-    path = folder / "vehicles.yaml"
-    content = {
-        "vehicles": list(vehicles),
-        "gcs_remote_port": free_port(),
-        "router_port": router,
-    }
-    path.write_text(yaml.safe_dump(content), encoding="utf-8")
-    ros.set_param("/fleet/vehicles_file", str(path))
-    command = [program("trident_bridges", "mavlink_vehicle_node"), "__name:=fleet"]
-    return ros.launch(command), router
 
 
 def await_node(process: Process) -> None:
@@ -78,9 +56,9 @@ def ack_of(link: Any, system: int, wait_s: float = 10.0) -> Any:
 
 def test_the_router_carries_all_and_each_has_a_port_of_its_own(ros: Ros, tmp_path: Path) -> None:
     boat = entry("usv1", "boat")
-    process, router = started(ros, tmp_path, entry("uav1", "quadrotor"), boat)
+    process, fleet = start_fleet(ros, tmp_path, entry("uav1", "quadrotor"), boat)
     await_node(process)
-    with client(router) as link:
+    with client(fleet.router) as link:
         for odometry in ("/uav1/odometry_sensor1/odometry", "/usv1/odometry"):
             send_until_heard(odometry, link)
         for system in (1, 2):
@@ -105,7 +83,7 @@ def send_until_heard(topic: str, link: Any) -> None:
 
 
 def test_a_rover_answers_each_odometry_once(ros: Ros, tmp_path: Path) -> None:
-    process, _ = started(ros, tmp_path, entry("ugv1", "rover"))
+    process, _ = start_fleet(ros, tmp_path, entry("ugv1", "rover"))
     await_node(process)
     message = Odometry()
     message.header.frame_id = "world"
@@ -126,7 +104,7 @@ def test_a_vehicle_with_a_key_hears_its_own_alone(ros: Ros, tmp_path: Path) -> N
     key.touch(mode=0o600)
     key.write_text(KEY.hex())
     drone = entry("uav1", "quadrotor", signing_key_file=str(key))
-    process, _ = started(ros, tmp_path, drone)
+    process, _ = start_fleet(ros, tmp_path, drone)
     await_node(process)
     with client(drone["tcp_port"]) as stranger:
         assert ack_of(stranger, 1, 0.3) is None
@@ -141,7 +119,7 @@ def test_a_vehicle_with_a_key_hears_its_own_alone(ros: Ros, tmp_path: Path) -> N
 def test_what_two_vehicles_claim_is_one_error(ros: Ros, tmp_path: Path) -> None:
     port = free_port()
     vehicles = [entry(name, "boat", tcp_port=port) for name in ("a", "b")]
-    process, _ = started(ros, tmp_path, *vehicles)
+    process, _ = start_fleet(ros, tmp_path, *vehicles)
     assert process.wait() == 1
     assert f"'a' and 'b' both have TCP port {port}" in process.log
 
@@ -149,7 +127,7 @@ def test_what_two_vehicles_claim_is_one_error(ros: Ros, tmp_path: Path) -> None:
 def test_a_port_that_somebody_has_is_named_with_its_vehicle(ros: Ros, tmp_path: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
-        process, _ = started(ros, tmp_path, entry("usv1", "boat", tcp_port=port))
+        process, _ = start_fleet(ros, tmp_path, entry("usv1", "boat", tcp_port=port))
         assert process.wait() == 1
     assert "vehicle 'usv1'" in process.log
     assert str(port) in process.log

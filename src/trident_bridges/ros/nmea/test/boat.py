@@ -1,16 +1,19 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""Instruments of a boat, and a client of its NMEA link."""
+"""Instruments of a boat, the node that sends what they say, and a client of it."""
 
 from __future__ import annotations
 
 import math
 import socket
+from collections.abc import Callable
 
 import rospy
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import NavSatFix, Range
 from std_msgs.msg import Float64
+from trident.testing import Ros, eventually, program
+from trident_base.ports import free_port
 
 from trident_msgs.msg import GnssStatus, WindReading
 
@@ -102,3 +105,34 @@ class Client:
 
     def close(self) -> None:
         self._socket.close()
+
+
+def start_node(ros: Ros, url: str, name: str = "nmea", **params: object) -> None:
+    """The node nmea_node with one link, whose topics of what it hears are below its name."""
+    ros.set_param(f"/{name}/links", [{"url": url}])
+    for key, value in params.items():
+        ros.set_param(f"/{name}/{key}", value)
+    process = ros.launch(
+        [program("trident_bridges", "nmea_node"), f"__name:={name}", f"nmea:={name}"], name=name
+    )
+    eventually(lambda: "sends and listens" in process.log, "the node is up")
+
+
+def start_server(ros: Ros, name: str = "nmea", **params: object) -> int:
+    """The same with a TCP server, whose port this is."""
+    port = free_port()
+    start_node(ros, f"tcp-l://:{port}", name, **params)
+    return port
+
+
+def sailing(boat: Boat, condition: Callable[[], bool], begin_s: float = 10.0) -> Callable[[], bool]:
+    """The condition, before which the instruments have measured again, 0.2 s later."""
+    at_s = [begin_s]
+    eventually(boat.is_heard, "the node's subscriptions")
+
+    def sail() -> bool:
+        at_s[0] += 0.2
+        boat.publish(at_s[0])
+        return condition()
+
+    return sail

@@ -5,53 +5,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack
+from collections.abc import Callable
 
 import pytest
 import rospy
-from boat import LATITUDE_DEG, LONGITUDE_DEG, Boat, Client, with_checksum
+from boat import LATITUDE_DEG, LONGITUDE_DEG, Boat, Client, start_server, with_checksum
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import QuaternionStamped, TwistStamped
 from nmea_msgs.msg import Sentence
 from sensor_msgs.msg import NavSatFix, TimeReference
 from trident.testing import Ros, eventually, program, recorder
-from trident_base.ports import free_port
 
 from trident_msgs.msg import RadioPacket
 
 KNOT = 1852.0 / 3600.0
-
-
-@pytest.fixture
-def boat() -> Iterator[Boat]:
-    result = Boat()
-    yield result
-    result.close()
-
-
-@pytest.fixture
-def client(ros: Ros) -> Iterator[Callable[[int], Client]]:
-    """Connects clients, which are closed with the test."""
-    with ExitStack() as stack:
-
-        def connect(port: int) -> Client:
-            result = Client(port)
-            stack.callback(result.close)
-            return result
-
-        yield connect
-
-
-def start(ros: Ros, **params: object) -> int:
-    """Starts the node with one TCP server and returns its port."""
-    port = free_port()
-    ros.set_param("/nmea/links", [{"url": f"tcp-l://:{port}"}])
-    for name, value in params.items():
-        ros.set_param(f"/nmea/{name}", value)
-    process = ros.launch([program("trident_bridges", "nmea_node"), "__name:=nmea"])
-    eventually(lambda: "sends and listens" in process.log, "the node is up")
-    return port
 
 
 def minutes(field: str, letter: str) -> float:
@@ -63,7 +30,7 @@ def minutes(field: str, letter: str) -> float:
 def test_what_a_boats_instruments_measure_goes_to_all_clients(
     ros: Ros, boat: Boat, client: Callable[[int], Client]
 ) -> None:
-    port = start(ros)
+    port = start_server(ros)
     clients = [client(port), client(port)]
     eventually(boat.is_heard, "the node's subscriptions")
     at_s = [100.0]
@@ -89,7 +56,7 @@ def test_what_a_boats_instruments_measure_goes_to_all_clients(
 
 
 def test_what_clients_send_is_published(ros: Ros, client: Callable[[int], Client]) -> None:
-    port = start(ros)
+    port = start_server(ros)
     with (
         recorder("/nmea/fix", NavSatFix) as fixes,
         recorder("/nmea/vel", TwistStamped) as velocities,
@@ -154,7 +121,7 @@ BAD = {
 def test_bad_sentences_are_named_with_link_and_peer_and_the_next_fix_is_read(
     ros: Ros, client: Callable[[int], Client]
 ) -> None:
-    port = start(ros)
+    port = start_server(ros)
     with (
         recorder("/diagnostics", DiagnosticArray) as diagnostics,
         recorder("/nmea/fix", NavSatFix) as fixes,
@@ -178,7 +145,7 @@ def test_bad_sentences_are_named_with_link_and_peer_and_the_next_fix_is_read(
 def test_a_fix_that_is_not_finite_is_not_sent(
     ros: Ros, boat: Boat, client: Callable[[int], Client]
 ) -> None:
-    port = start(ros)
+    port = start_server(ros)
     one = client(port)
     eventually(boat.is_heard, "the node's subscriptions")
     with recorder("/diagnostics", DiagnosticArray) as diagnostics:

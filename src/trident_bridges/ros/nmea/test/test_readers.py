@@ -7,13 +7,12 @@ from __future__ import annotations
 import json
 import math
 import subprocess
-from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from boat import LATITUDE_DEG, LONGITUDE_DEG, Boat, Client
-from trident.testing import Ros, eventually, program
+from boat import LATITUDE_DEG, LONGITUDE_DEG, Boat, Client, sailing, start_node, start_server
+from trident.testing import Ros, eventually
 from trident.testing.clients import client_program, clients_python
 from trident_base.ports import free_port
 
@@ -45,36 +44,11 @@ KINDS = [
     "VWR",
     "VWT",
 ]
+RATES = dict.fromkeys(KINDS, 5.0)
+BEGIN_S = 1000.0
 UNKNOWN_TO_PYNMEA2 = {"THS"}
 ALTITUDE_M = 41.0
 METERS_PER_DEGREE = 111_320.0
-
-
-@pytest.fixture
-def boat() -> Iterator[Boat]:
-    result = Boat()
-    yield result
-    result.close()
-
-
-def start(ros: Ros, url: str) -> None:
-    ros.set_param("/nmea/links", [{"url": url}])
-    ros.set_param("/nmea/rates", dict.fromkeys(KINDS, 5.0))
-    process = ros.launch([program("trident_bridges", "nmea_node"), "__name:=nmea"])
-    eventually(lambda: "sends and listens" in process.log, "the node is up")
-
-
-def sailing(boat: Boat, has_arrived: Callable[[], bool]) -> Callable[[], bool]:
-    """Publishes the boat's instruments while a condition is awaited."""
-    at_s = [1000.0]
-    eventually(boat.is_heard, "the node's subscriptions")
-
-    def sail() -> bool:
-        at_s[0] += 0.2
-        boat.publish(at_s[0])
-        return has_arrived()
-
-    return sail
 
 
 def read_by_pynmea2(python: Path, lines: list[str]) -> list[dict[str, Any]]:
@@ -93,10 +67,9 @@ def read_by_pynmea2(python: Path, lines: list[str]) -> list[dict[str, Any]]:
 
 def test_pynmea2_reads_all_that_is_sent(ros: Ros, boat: Boat) -> None:
     python = clients_python("pynmea2")
-    port = free_port()
-    start(ros, f"tcp-l://:{port}")
+    port = start_server(ros, rates=RATES)
     client = Client(port)
-    done = sailing(boat, lambda: all(len(client.lines(kind)) > 1 for kind in KINDS))
+    done = sailing(boat, lambda: all(len(client.lines(kind)) > 1 for kind in KINDS), BEGIN_S)
     eventually(done, "sentences of all kinds")
     lines = client.read().rpartition("\r\n")[0].split("\r\n")
     client.close()
@@ -130,7 +103,7 @@ def check_gpsd(ros: Ros, boat: Boat, source: str) -> None:
             pipes.append(ros.launch([gpspipe, "-w", f"127.0.0.1:{port}"]))
         return len(reports()) >= 5
 
-    eventually(sailing(boat, has_enough), "reports of gpsd")
+    eventually(sailing(boat, has_enough, BEGIN_S), "reports of gpsd")
     newest = reports()[-1]
     north_m = (newest["lat"] - LATITUDE_DEG) * METERS_PER_DEGREE
     east_m = (newest["lon"] - LONGITUDE_DEG) * METERS_PER_DEGREE
@@ -146,12 +119,11 @@ def check_gpsd(ros: Ros, boat: Boat, source: str) -> None:
 
 
 def test_gpsd_reads_the_tcp_stream(ros: Ros, boat: Boat) -> None:
-    port = free_port()
-    start(ros, f"tcp-l://:{port}")
+    port = start_server(ros, rates=RATES)
     check_gpsd(ros, boat, f"tcp://127.0.0.1:{port}")
 
 
 def test_gpsd_reads_the_pseudo_terminal(ros: Ros, boat: Boat, tmp_path: Path) -> None:
     link = tmp_path / "gps"
-    start(ros, f"pty://{link}:115200")
+    start_node(ros, f"pty://{link}:115200", rates=RATES)
     check_gpsd(ros, boat, str(link))

@@ -5,67 +5,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack
+from collections.abc import Callable
 
 import pytest
 import rospy
-from boat import LATITUDE_DEG, LONGITUDE_DEG, Boat, Client, with_checksum
+from boat import LATITUDE_DEG, LONGITUDE_DEG, Boat, Client, sailing, start_server, with_checksum
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path
 from std_msgs.msg import Float64
-from trident.testing import Ros, eventually, program, recorder
-from trident_base.ports import free_port
+from trident.testing import Ros, eventually, recorder
 
 from trident_msgs.msg import AisTarget
-
-
-@pytest.fixture
-def boat() -> Iterator[Boat]:
-    result = Boat()
-    yield result
-    result.close()
-
-
-@pytest.fixture
-def client(ros: Ros) -> Iterator[Callable[[int], Client]]:
-    with ExitStack() as stack:
-
-        def connect(port: int) -> Client:
-            result = Client(port)
-            stack.callback(result.close)
-            return result
-
-        yield connect
-
-
-def start(ros: Ros, name: str, **params: object) -> int:
-    port = free_port()
-    ros.set_param(f"/{name}/links", [{"url": f"tcp-l://:{port}"}])
-    for key, value in params.items():
-        ros.set_param(f"/{name}/{key}", value)
-    process = ros.launch(
-        [program("trident_bridges", "nmea_node"), f"__name:={name}", f"nmea:={name}"], name=name
-    )
-    eventually(lambda: "sends and listens" in process.log, "the node is up")
-    return port
-
-
-def sailing(boat: Boat, condition: Callable[[], bool]) -> Callable[[], bool]:
-    at_s = [10.0]
-
-    def sail() -> bool:
-        at_s[0] += 0.2
-        boat.publish(at_s[0])
-        return condition()
-
-    return sail
 
 
 def test_a_heading_to_steer_and_a_route_reach_the_vehicles_controller(
     ros: Ros, boat: Boat, client: Callable[[int], Client]
 ) -> None:
-    port = start(ros, "nmea", autopilot={"steers": True})
+    port = start_server(ros, "nmea", autopilot={"steers": True})
     one = client(port)
     with (
         recorder("/command/heading", Float64) as headings,
@@ -91,7 +47,7 @@ def test_a_heading_to_steer_and_a_route_reach_the_vehicles_controller(
 
 
 def test_without_leave_nothing_is_steered(ros: Ros, client: Callable[[int], Client]) -> None:
-    port = start(ros, "nmea")
+    port = start_server(ros, "nmea")
     one = client(port)
     with recorder("/nmea/cross_track_error", Float64) as errors:
         one.send(with_checksum("$GPAPB,A,A,0.01,R,N,V,V,11.0,T,A,11.0,T,30.0,T"))
@@ -103,7 +59,7 @@ def test_without_leave_nothing_is_steered(ros: Ros, client: Callable[[int], Clie
 def test_a_vehicles_path_is_sent_as_a_route(
     ros: Ros, boat: Boat, client: Callable[[int], Client]
 ) -> None:
-    port = start(
+    port = start_server(
         ros,
         "nmea",
         rates={"APB": 5.0, "RMB": 5.0, "WPL": 1.0, "RTE": 1.0},
@@ -129,7 +85,9 @@ def test_a_vehicles_path_is_sent_as_a_route(
 
 def test_vessels_hear_each_other_by_ais(ros: Ros, client: Callable[[int], Client]) -> None:
     ports = [
-        start(ros, name, ais={"mmsi": mmsi, "name": name, "position_period": 1.0}, output=name)
+        start_server(
+            ros, name, ais={"mmsi": mmsi, "name": name, "position_period": 1.0}, output=name
+        )
         for name, mmsi in (("otter", 257000001), ("wamv", 257000002))
     ]
     one, other = (client(port) for port in ports)

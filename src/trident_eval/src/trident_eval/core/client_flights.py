@@ -18,13 +18,12 @@ from trident_eval.core.errors import EvalError
 from trident_eval.core.missions import Mission, follow
 from trident_eval.core.rows import Row, value_text
 from trident_eval.core.tracks import Tracks
-from trident_eval.core.verdict import Verdict, take_over
+from trident_eval.core.verdict import Verdict, run_numbers, take_over
 
 RECORD = "mavlink_demo.json"
 #: What an estimate of the vehicle's may be off, beyond the radius of a place [m].
 ESTIMATE_SLACK_M = 1.5
 _AXES = {"uav": 3, "ugv": 2, "usv": 2}
-_FROM_RUN = ("rtf", "state_hash", "sim_s", "wall_s", "end_reason", "seed", "steps")
 _ENDS = {"land": "landed", "return": "back and held", "hold": "held"}
 _NEEDED = {"kind", "radius", "end", "places_wanted", "start", "places", "armed", "uploaded"} | {
     "downloaded_equal",
@@ -84,7 +83,7 @@ def judge_client_flights(
         run: the simulator's run.json; may be empty.
     """
     numbers: dict[str, Any] = {"mode": "mavlink", "vehicles": list(record), "commanded": {}}
-    verdict = Verdict(numbers | {key: run.get(key) for key in _FROM_RUN})
+    verdict = Verdict(numbers | run_numbers(run))
     passed = {one.name: follow(tracks, one).reached for one in missions_of(record)}
     for name, entry in record.items():
         row = _numbers(entry, passed.get(name, 0))
@@ -103,7 +102,7 @@ def judge_piloted(tracks: Tracks, names: list[str], run: dict[str, Any]) -> Verd
         run: the simulator's run.json; may be empty.
     """
     numbers: dict[str, Any] = {"mode": "mavlink", "vehicles": names}
-    verdict = Verdict(numbers | {key: run.get(key) for key in _FROM_RUN})
+    verdict = Verdict(numbers | run_numbers(run))
     present = np.isfinite(tracks.select(names).position).all(axis=2)
     verdict.reasons = [
         f"{name}: no finite state at the end"

@@ -16,10 +16,9 @@ from trident_eval.core.metrics import lengths
 from trident_eval.core.provenance import read_object
 from trident_eval.core.rows import Row, value_text
 from trident_eval.core.tracks import Array, Tracks
-from trident_eval.core.verdict import Verdict, take_over
+from trident_eval.core.verdict import Verdict, run_numbers, take_over
 
 _AXES = {"uav": 3, "ugv": 2, "usv": 2}
-_FROM_RUN = ("rtf", "state_hash", "sim_s", "wall_s", "end_reason", "seed", "steps")
 
 
 @dataclass(frozen=True)
@@ -172,7 +171,7 @@ def judge_missions(tracks: Tracks, missions: list[Mission], run: dict[str, Any])
     verdict = Verdict(
         {"mode": "missions", "vehicles": [mission.name for mission in missions], "platforms": {}}
     )
-    verdict.numbers |= {key: run.get(key) for key in _FROM_RUN}
+    verdict.numbers |= run_numbers(run)
     for mission in missions:
         outcome = follow(tracks, mission)
         verdict.numbers["platforms"][mission.name] = _numbers(outcome, tracks)

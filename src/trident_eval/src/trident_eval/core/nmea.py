@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation, Slerp
+from trident_fleet.core.station.geodesy import Datum
 
 from trident_eval.core.errors import EvalError
 from trident_eval.core.rows import Row, value_text
@@ -30,8 +31,6 @@ RTK_FIXED = 4
 _SUFFIX = ".nmea"
 _LINE = re.compile(r"[$!](?P<body>[^$!*\r\n]*)\*(?P<sum>[0-9A-Fa-f]{2})")
 _STATE = ("t", "x", "y", "z", "qx", "qy", "qz", "qw")
-# WGS 84.
-_A_M, _E2 = 6378137.0, 6.69437999014e-3
 
 
 @dataclass(frozen=True)
@@ -77,24 +76,6 @@ def checksum(body: str) -> int:
     return value
 
 
-def _ecef(latitude_deg: float, longitude_deg: float, height_m: float) -> Array:
-    """Position about the center of the earth [m], shape (3,)."""
-    lat, lon = np.radians(latitude_deg), np.radians(longitude_deg)
-    n = _A_M / np.sqrt(1.0 - _E2 * np.sin(lat) ** 2)
-    level = (n + height_m) * np.cos(lat)
-    up = (n * (1.0 - _E2) + height_m) * np.sin(lat)
-    return np.array([level * np.cos(lon), level * np.sin(lon), up])
-
-
-def to_enu(place: tuple[float, float, float], origin: tuple[float, float, float]) -> Array:
-    """East, north and up [m] of a place, both (latitude, longitude [deg], height [m]); (3,)."""
-    lat, lon = np.radians(origin[0]), np.radians(origin[1])
-    east = [-np.sin(lon), np.cos(lon), 0.0]
-    north = [-np.sin(lat) * np.cos(lon), -np.sin(lat) * np.sin(lon), np.cos(lat)]
-    up = [np.cos(lat) * np.cos(lon), np.cos(lat) * np.sin(lon), np.sin(lat)]
-    return np.asarray(np.array([east, north, up]) @ (_ecef(*place) - _ecef(*origin)))
-
-
 def degrees(field: str, letter: str) -> float:
     """Of ddmm.mmmmm or dddmm.mmmmm and N, S, E or W."""
     whole, minutes = divmod(float(field), 100.0)
@@ -104,8 +85,8 @@ def degrees(field: str, letter: str) -> float:
 class _Positions:
     """Collects the positions of GGA, whose day is that of the last RMC or ZDA."""
 
-    def __init__(self, origin: tuple[float, float, float], start: datetime) -> None:
-        self._origin, self._start = origin, start
+    def __init__(self, datum: Datum, start: datetime) -> None:
+        self._datum, self._start = datum, start
         self._day: datetime | None = None
         self.rows: list[tuple[float, int, Array]] = []
 
@@ -121,7 +102,7 @@ class _Positions:
             at_s = (self._day + time - self._start).total_seconds()
             latitude, longitude = degrees(fields[2], fields[3]), degrees(fields[4], fields[5])
             height = float(fields[9]) + float(fields[11] or 0.0)
-            p_enu = to_enu((latitude, longitude, height), self._origin)
+            p_enu = self._datum.position(latitude, longitude, height)
             self.rows.append((at_s, int(fields[6]), p_enu))
 
 
@@ -154,13 +135,13 @@ def _read(path: Path) -> NmeaLog:
     about_path = path.with_suffix(".nmea.json")
     try:
         about = json.loads(about_path.read_text(encoding="utf-8"))
-        origin = tuple(float(value) for value in about["origin"])
+        latitude, longitude, height = (float(value) for value in about["origin"])
         antenna = np.array([float(value) for value in about["antenna"]])
         start = datetime.fromisoformat(about["utc_start"].replace("Z", "+00:00"))
         text = path.read_text(encoding="latin1")
     except (OSError, KeyError, TypeError, ValueError) as error:
         raise EvalError(f"{about_path}: {error}; legal: what nmea_log.py writes") from error
-    positions = _Positions((origin[0], origin[1], origin[2]), start)
+    positions = _Positions(Datum(latitude, longitude, height), start)
     sentences: dict[str, int] = {}
     wrong = longest = 0
     for line in text.splitlines(keepends=True):

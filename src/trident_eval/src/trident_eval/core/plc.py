@@ -21,7 +21,7 @@ from trident_eval.core.metrics import lengths
 from trident_eval.core.provenance import read_object
 from trident_eval.core.rows import Row, value_text
 from trident_eval.core.tracks import Array, Tracks, whole_lines
-from trident_eval.core.verdict import Verdict, take_over
+from trident_eval.core.verdict import Verdict, run_numbers, take_over
 
 PLC_FILE = "plc.csv"
 PROPELLERS = ("left", "right")
@@ -32,7 +32,6 @@ COMMAND_STEP = 0.006  # half a step of the register, and rounding [rad/s]
 THRUST_STEP_N = 0.06  # the same of a measured thrust
 _LOOK_BACK_S = 1.0  # a register was measured at most so long before it is published
 _ENDS = ("pilot", "vessel", "client")
-_FROM_RUN = ("rtf", "state_hash", "sim_s", "wall_s", "end_reason", "seed", "steps")
 
 
 @dataclass(frozen=True)
@@ -184,7 +183,7 @@ def judge_plc(tracks: Tracks, log: PlcLog, run: dict[str, Any]) -> Verdict:
         "distance_m": float(lengths(np.diff(track[:, :2], axis=0)).sum()),
     }
     verdict = Verdict({"mode": "plc", "vehicles": [log.vessel], "plc": numbers}, _reasons(numbers))
-    verdict.numbers |= {key: run.get(key) for key in _FROM_RUN}
+    verdict.numbers |= run_numbers(run)
     take_over(run, verdict)
     return verdict
 

@@ -23,6 +23,7 @@ ROW_WINDOW_S = 0.5
 STEADY_AVERAGE_S = 1.0
 LOWEST_Z_M = -0.05
 _TEXT_ROUNDING_M = 1e-3
+_RUN_KEYS = ("rtf", "state_hash", "sim_s", "wall_s", "end_reason", "seed", "steps")
 
 
 @dataclass(frozen=True)
@@ -63,6 +64,11 @@ class Verdict:
     def to_json(self) -> dict[str, Any]:
         """Everything, with null where a number is not known."""
         return self.numbers | {"pass": self.passed, "reasons": self.reasons}
+
+
+def run_numbers(run: dict[str, Any]) -> dict[str, Any]:
+    """What each verdict has of a run.json, which may be empty; None: it is not there."""
+    return {key: run.get(key) for key in _RUN_KEYS}
 
 
 def take_over(run: dict[str, Any], verdict: Verdict) -> None:
@@ -106,9 +112,7 @@ def judge(tracks: Tracks, command: Command | Refusal | None, run: dict[str, Any]
         "rows": None,
         "steady_offset_m": None,
     }
-    for key in ("rtf", "state_hash", "sim_s", "wall_s", "end_reason", "seed", "steps"):
-        numbers[key] = run.get(key)
-    verdict = Verdict(numbers, _faults_of_states(tracks.select(names)))
+    verdict = Verdict(numbers | run_numbers(run), _faults_of_states(tracks.select(names)))
     if command:
         verdict.reasons += command.errors
     if isinstance(command, Command):
