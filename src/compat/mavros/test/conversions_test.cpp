@@ -20,6 +20,14 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
+TEST(MavrosConversions, AWholeNumberIsTheNearestThatAFieldHolds) {
+  EXPECT_EQ(to_whole<std::int16_t>(-2.6), -3);
+  EXPECT_EQ(to_whole<std::uint16_t>(-1.0), 0);
+  EXPECT_EQ(to_whole<std::uint16_t>(1e300), 65535);
+  EXPECT_EQ(to_whole<std::int32_t>(-std::numeric_limits<double>::infinity()), INT32_MIN);
+  EXPECT_EQ(to_whole<std::int32_t>(std::numeric_limits<double>::quiet_NaN()), 0);
+}
+
 TEST(ModeNames, AreThoseOfTheVehicleAndComeBack) {
   EXPECT_EQ(mode_name(MAV_AUTOPILOT_PX4, MAV_TYPE_QUADROTOR, 6U << 16), "OFFBOARD");
   EXPECT_EQ(mode_name(MAV_AUTOPILOT_PX4, MAV_TYPE_QUADROTOR, 4U << 16 | 4U << 24), "AUTO.MISSION");

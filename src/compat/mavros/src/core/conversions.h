@@ -8,13 +8,25 @@
 #include <geometry_msgs/Vector3.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "trident_base/angle.h"
 #include "trident_bridges/mavlink/frames.h"
 
 namespace trident::mavros {
+
+/// The nearest whole number that a field holds; NaN is 0.
+template <class Integer>
+Integer to_whole(double value) {
+  constexpr auto kMin = static_cast<double>(std::numeric_limits<Integer>::min());
+  constexpr auto kMax = static_cast<double>(std::numeric_limits<Integer>::max());
+  if (std::isnan(value)) return 0;
+  return static_cast<Integer>(std::lround(std::max(kMin, std::min(kMax, value))));
+}
 
 /// A vector of a message of ROS.
 template <class Vector>

@@ -162,8 +162,8 @@ mavlink_set_position_target_global_int_t global_payload(const GlobalTarget& targ
   payload.time_boot_ms = time_boot_ms;
   payload.coordinate_frame = target.frame;
   payload.type_mask = target.mask;
-  payload.lat_int = static_cast<std::int32_t>(std::lround(target.latitude_deg * kUnitsPerDegree));
-  payload.lon_int = static_cast<std::int32_t>(std::lround(target.longitude_deg * kUnitsPerDegree));
+  payload.lat_int = to_whole<std::int32_t>(target.latitude_deg * kUnitsPerDegree);
+  payload.lon_int = to_whole<std::int32_t>(target.longitude_deg * kUnitsPerDegree);
   payload.alt = static_cast<float>(target.altitude_m);
   write_motion(target.motion, target.frame, payload);
   return payload;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/waypoints.h"
 
-#include <cmath>
 #include <cstdint>
-#include <limits>
+
+#include "core/conversions.h"
 
 namespace trident::mavros {
 namespace {
@@ -14,12 +14,6 @@ constexpr double kItemsPerDegree = 1e7, kItemsPerMeter = 1e4;
 double units_of_frame(std::uint8_t frame) {
   if (frame == mavros_msgs::Waypoint::FRAME_MISSION) return 1.0;
   return bridges::mavlink::is_global_frame(frame) ? kItemsPerDegree : kItemsPerMeter;
-}
-
-std::int32_t to_whole(double value, double units) {
-  constexpr auto kMax = static_cast<double>(std::numeric_limits<std::int32_t>::max());
-  if (std::isnan(value)) return 0;
-  return static_cast<std::int32_t>(std::lround(std::max(-kMax, std::min(kMax, value * units))));
 }
 
 }  // namespace
@@ -32,8 +26,8 @@ bridges::mavlink::MissionItem to_item(const mavros_msgs::Waypoint& waypoint) {
   item.is_current = waypoint.is_current != 0U;
   item.autocontinue = waypoint.autocontinue != 0U;
   item.params = {waypoint.param1, waypoint.param2, waypoint.param3, waypoint.param4};
-  item.x = to_whole(waypoint.x_lat, units);
-  item.y = to_whole(waypoint.y_long, units);
+  item.x = to_whole<std::int32_t>(waypoint.x_lat * units);
+  item.y = to_whole<std::int32_t>(waypoint.y_long * units);
   item.z = static_cast<float>(waypoint.z_alt);
   return item;
 }

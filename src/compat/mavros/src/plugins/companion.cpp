@@ -97,7 +97,7 @@ class ObstacleDistance : public Plugin {
 
   static std::uint16_t centimeters(float distance_m) {
     constexpr double kMax = UINT16_MAX - 1;
-    return static_cast<std::uint16_t>(std::min(kMax, kPerMeter * distance_m));
+    return to_whole<std::uint16_t>(std::min(kMax, kPerMeter * distance_m));
   }
   void send_scan(const sensor_msgs::LaserScan& scan) {
     const std::size_t rays = scan.ranges.size();

@@ -17,6 +17,7 @@
 #include "core/transforms.h"
 #include "core/typed_messages.h"
 #include "plugins/plugins.h"
+#include "trident_base/string_util.h"
 #include "trident_bridges/vehicle/geo_frame.h"
 
 namespace trident::mavros {
@@ -40,6 +41,29 @@ std::int8_t fix_status(std::uint8_t fix_type) {
                                             : NavSatStatus::STATUS_FIX;
 }
 
+/// Whether a place is on earth; one that is not is refused by the topic's name.
+bool is_place(Hub& hub, const std::string& topic, const geographic_msgs::GeoPoint& place) {
+  constexpr double kMaxLatitude = 90.0, kMaxLongitude = 180.0;
+  if (std::abs(place.latitude) <= kMaxLatitude && std::abs(place.longitude) <= kMaxLongitude &&
+      std::isfinite(place.altitude)) {
+    return true;
+  }
+  hub.ros.refusals().note("places refused", topic + ": latitude " + number_text(place.latitude) +
+                                                ", longitude " + number_text(place.longitude) +
+                                                ", altitude " + number_text(place.altitude) +
+                                                ", legal: up to 90 deg and 180 deg, finite");
+  return false;
+}
+
+/// Heights are above the ellipsoid in ROS, above the geoid in MAVLink.
+template <class Payload>
+void write_place(const Hub& hub, const geographic_msgs::GeoPoint& place, Payload& to) {
+  to.latitude = to_whole<std::int32_t>(place.latitude / kLatLonUnit);
+  to.longitude = to_whole<std::int32_t>(place.longitude / kLatLonUnit);
+  to.altitude =
+      to_whole<std::int32_t>((place.altitude - hub.known.geoid_separation_m) / kMillimeter);
+}
+
 /// Where the vehicle is on the earth.
 class GlobalPosition : public Plugin {
  public:
@@ -56,20 +80,15 @@ class GlobalPosition : public Plugin {
                                                           [this](const auto& p) { on_offset(p); });
     hub.ros.subscribe<geographic_msgs::GeoPointStamped>(
         "global_position/set_gp_origin", [this](const auto& message) {
+          if (!is_place(hub_, "global_position/set_gp_origin", message.position)) return;
           mavlink_set_gps_global_origin_t payload{};
           payload.target_system = vehicle_.target().system;
-          payload.latitude = to_units(message.position.latitude);
-          payload.longitude = to_units(message.position.longitude);
-          payload.altitude = static_cast<std::int32_t>(std::lround(
-              (message.position.altitude - hub_.known.geoid_separation_m) / kMillimeter));
+          write_place(hub_, message.position, payload);
           send(vehicle_, payload);
         });
   }
 
  private:
-  static std::int32_t to_units(double degrees) {
-    return static_cast<std::int32_t>(std::lround(degrees / kLatLonUnit));
-  }
   void advertise() {
     RosSide& ros = hub_.ros;
     raw_fix_ = ros.advertise<NavSatFix>("global_position/raw/fix");
@@ -250,12 +269,10 @@ class HomePosition : public Plugin {
     home_.publish(message);
   }
   void set_home(const mavros_msgs::HomePosition& message) {
+    if (!is_place(hub_, "home_position/set", message.geo)) return;
     mavlink_set_home_position_t payload{};
     payload.target_system = vehicle_.target().system;
-    payload.latitude = static_cast<std::int32_t>(std::lround(message.geo.latitude / kLatLonUnit));
-    payload.longitude = static_cast<std::int32_t>(std::lround(message.geo.longitude / kLatLonUnit));
-    payload.altitude = static_cast<std::int32_t>(
-        std::lround((message.geo.altitude - hub_.known.geoid_separation_m) / kMillimeter));
+    write_place(hub_, message.geo, payload);
     const Eigen::Vector3d p = swap_world(to_eigen(message.position));
     const Eigen::Vector3d approach = swap_world(to_eigen(message.approach));
     const Eigen::Quaterniond q = swap_attitude(to_rotation(message.orientation));

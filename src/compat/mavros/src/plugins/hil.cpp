@@ -27,10 +27,6 @@ constexpr double kHilUnitsPerDegree = 1e7, kHilPerMeter = 1e3, kCentiPerUnit = 1
 constexpr double kMilliGravities = 1e3 / 9.80665, kGaussPerTesla = 1e4;
 
 std::uint64_t hil_time(const std_msgs::Header& header) { return header.stamp.toNSec() / 1000; }
-std::int16_t to_int16(double value) {
-  return static_cast<std::int16_t>(
-      std::lround(std::max<double>(INT16_MIN, std::min<double>(INT16_MAX, value))));
-}
 
 /// What a simulator says to an autopilot in the loop, and the controls that come back.
 class Hil : public Plugin {
@@ -89,17 +85,17 @@ class Hil : public Plugin {
     payload.rollspeed = static_cast<float>(w.x());
     payload.pitchspeed = static_cast<float>(w.y());
     payload.yawspeed = static_cast<float>(w.z());
-    payload.lat = static_cast<std::int32_t>(std::lround(m.geo.latitude * kHilUnitsPerDegree));
-    payload.lon = static_cast<std::int32_t>(std::lround(m.geo.longitude * kHilUnitsPerDegree));
-    payload.alt = static_cast<std::int32_t>(std::lround(m.geo.altitude * kHilPerMeter));
-    payload.vx = to_int16(v.x());
-    payload.vy = to_int16(v.y());
-    payload.vz = to_int16(v.z());
-    payload.ind_airspeed = static_cast<std::uint16_t>(m.ind_airspeed * kCentiPerUnit);
-    payload.true_airspeed = static_cast<std::uint16_t>(m.true_airspeed * kCentiPerUnit);
-    payload.xacc = to_int16(a.x());
-    payload.yacc = to_int16(a.y());
-    payload.zacc = to_int16(a.z());
+    payload.lat = to_whole<std::int32_t>(m.geo.latitude * kHilUnitsPerDegree);
+    payload.lon = to_whole<std::int32_t>(m.geo.longitude * kHilUnitsPerDegree);
+    payload.alt = to_whole<std::int32_t>(m.geo.altitude * kHilPerMeter);
+    payload.vx = to_whole<std::int16_t>(v.x());
+    payload.vy = to_whole<std::int16_t>(v.y());
+    payload.vz = to_whole<std::int16_t>(v.z());
+    payload.ind_airspeed = to_whole<std::uint16_t>(m.ind_airspeed * kCentiPerUnit);
+    payload.true_airspeed = to_whole<std::uint16_t>(m.true_airspeed * kCentiPerUnit);
+    payload.xacc = to_whole<std::int16_t>(a.x());
+    payload.yacc = to_whole<std::int16_t>(a.y());
+    payload.zacc = to_whole<std::int16_t>(a.z());
     send(vehicle_, payload);
   }
 
@@ -107,9 +103,9 @@ class Hil : public Plugin {
     mavlink_hil_gps_t payload{};
     payload.time_usec = hil_time(m.header);
     payload.fix_type = m.fix_type;
-    payload.lat = static_cast<std::int32_t>(std::lround(m.geo.latitude * kHilUnitsPerDegree));
-    payload.lon = static_cast<std::int32_t>(std::lround(m.geo.longitude * kHilUnitsPerDegree));
-    payload.alt = static_cast<std::int32_t>(std::lround(m.geo.altitude * kHilPerMeter));
+    payload.lat = to_whole<std::int32_t>(m.geo.latitude * kHilUnitsPerDegree);
+    payload.lon = to_whole<std::int32_t>(m.geo.longitude * kHilUnitsPerDegree);
+    payload.alt = to_whole<std::int32_t>(m.geo.altitude * kHilPerMeter);
     payload.eph = m.eph;
     payload.epv = m.epv;
     payload.vel = m.vel;

@@ -147,7 +147,7 @@ class DistanceSensors : public Plugin {
     const auto centimeters = [](float meters) {
       constexpr double kPerMeter = 100.0, kMax = UINT16_MAX;
       const double value = std::isfinite(meters) ? meters * kPerMeter : kMax;
-      return static_cast<std::uint16_t>(std::max(0.0, std::min(kMax, value)));
+      return to_whole<std::uint16_t>(value);
     };
     mavlink_distance_sensor_t payload{};
     payload.time_boot_ms = hub_.vehicle.boot_ms(m.header.stamp);

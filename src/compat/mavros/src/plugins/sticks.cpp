@@ -22,7 +22,7 @@ using mavros_msgs::OverrideRCIn;
 std::int16_t to_stick(double value, double least) {
   constexpr double kFull = 1000.0;
   if (!std::isfinite(value)) return INT16_MAX;
-  return static_cast<std::int16_t>(std::lround(std::max(least, std::min(kFull, value))));
+  return to_whole<std::int16_t>(std::max(least, std::min(kFull, value)));
 }
 
 class ManualControlPlugin : public Plugin {
