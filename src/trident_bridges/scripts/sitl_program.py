@@ -10,7 +10,9 @@ import os
 import sys
 from pathlib import Path
 
-PACKAGE = Path(__file__).resolve().parents[1]
+from rospkg import RosPack
+
+PACKAGE = Path(RosPack().get_path("trident_bridges"))
 VARIABLES = {"px4": "PX4_SITL", "ardupilot": "ARDUPILOT_SITL"}
 
 

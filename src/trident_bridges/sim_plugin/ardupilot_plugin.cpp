@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 
 #include "trident_base/angle.h"
@@ -17,10 +18,9 @@ namespace trident::bridges {
 namespace {
 
 /// The rotation of a pose "x y z roll pitch yaw", in degrees where the element says so.
-Eigen::Quaterniond read_rotation(const sim::PluginParams& params, const char* key,
-                                 const Eigen::Quaterniond& fallback) {
+std::optional<Eigen::Quaterniond> read_rotation(const sim::PluginParams& params, const char* key) {
   const sim::ParamNode* const node = params.node(key);
-  if (node == nullptr) return fallback;
+  if (node == nullptr) return std::nullopt;
   std::istringstream in(node->text);
   std::array<double, 6> numbers{};
   for (double& number : numbers) in >> number;
@@ -82,16 +82,12 @@ ArduPilotPlugin::ArduPilotPlugin(const sim::PluginContext& context)
 }
 
 void ArduPilotPlugin::read_frames(const sim::PluginParams& params) {
-  const bool is_given = params.has("gazeboXYZToNED");
-  const bool is_model_given = params.has("modelXYZToAirplaneXForwardZDown");
-  const Eigen::Quaterniond R_half_turn(0.0, 1.0, 0.0, 0.0);  // about x
-  const Eigen::Quaterniond R_ned_enu(
-      Eigen::Quaterniond(Eigen::AngleAxisd(0.5 * kPi, Eigen::Vector3d::UnitZ())) * R_half_turn);
-  const Eigen::Quaterniond R_frd_link =
-      is_model_given ? read_rotation(params, "modelXYZToAirplaneXForwardZDown", R_half_turn)
-                     : R_half_turn;
-  if (!is_given && !is_model_given) return;
-  body_.set_frames(read_rotation(params, "gazeboXYZToNED", R_ned_enu), R_frd_link.conjugate());
+  if (const auto R_ned_world = read_rotation(params, "gazeboXYZToNED")) {
+    body_.set_R_ned_world(*R_ned_world);
+  }
+  if (const auto R_frd_link = read_rotation(params, "modelXYZToAirplaneXForwardZDown")) {
+    body_.set_R_link_frd(R_frd_link->conjugate());
+  }
 }
 
 void ArduPilotPlugin::read_control(const sim::PluginContext& context, const sim::ParamNode& node) {

@@ -32,7 +32,7 @@ class ArduPilotPlugin : public sim::Plugin, public SitlPeer {
   bool is_awaited() const override { return is_frame_begun_ && link_.is_awaited(); }
   std::string awaited() const override;
   bool is_gone() const override { return link_.is_gone(); }
-  bool runs_free() const override { return false; }
+  bool runs_free() const override { return link_.runs_free(); }
   void give_up() override { link_.give_up(); }
 
  protected:

@@ -29,7 +29,6 @@ class ControlOutputs {
   /// The next channel acts on nothing.
   void add_nothing() { channels_.push_back({}); }
 
-  std::size_t size() const { return channels_.size(); }  ///< number of channels
   /// Sets a channel's target: rotor speed [rad/s], or the drive's. A value that is not finite or
   /// beyond 1e6 is refused, reported as of `field`, and the last one stays.
   void set(std::size_t channel, double value, const std::string& field);

@@ -171,10 +171,9 @@ void MavlinkInterface::post_step(const sim::World&, const sim::StepInfo& info) {
 
 void MavlinkInterface::send_sensors() {
   if (step_.step == 0) return;
-  const bool is_due = sensor_clock_.is_due(step_);
-  if (is_due && state_clock_.is_due(step_)) send_state();
-  if (is_due) send_gps();
-  if (!is_due) return;
+  if (!sensor_clock_.is_due(step_)) return;
+  if (state_clock_.is_due(step_)) send_state();
+  send_gps();
   const sim::ImuSample* const imu = imu_.newest();
   if (imu == nullptr) {
     world_.diagnose({sim::Severity::kError,

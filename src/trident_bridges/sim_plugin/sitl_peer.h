@@ -40,8 +40,8 @@ class SitlPeer : public sim::OutsideAutopilot {
   void open(const sim::PluginParams& params, const std::string& element, const std::string& url);
   /// Sends a block to the peer that is there; none: nothing happens.
   void send(Span<const std::uint8_t> block);
-  /// As a step begins, without a server: waits for what is_awaited() says. Throws Error when that
-  /// has not come for 30 s of wall time.
+  /// As a step begins: takes what has come. Without a server it waits for what is_awaited() says,
+  /// and throws Error when that has not come for 30 s of wall time.
   void wait_in_step();
   double wall_s() const { return loop_.now_s(); }  ///< never jumps
 

@@ -26,12 +26,6 @@ VehicleState::VehicleState(const sim::World& world, const sim::Link& link)
   earth_.Reset(origin.latitude_deg, origin.longitude_deg, origin.elevation_m);
 }
 
-void VehicleState::set_frames(const Eigen::Quaterniond& R_ned_world,
-                              const Eigen::Quaterniond& R_link_frd) {
-  R_ned_world_ = R_ned_world;
-  R_link_frd_ = R_link_frd;
-}
-
 Eigen::Vector3d VehicleState::p_ned() const { return R_ned_world_ * link_.T_world_link().p; }
 
 Eigen::Vector3d VehicleState::v_ned() const {

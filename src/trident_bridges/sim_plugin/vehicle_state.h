@@ -22,8 +22,10 @@ class VehicleState {
  public:
   /// `link` moves with the vehicle's body: x forward, z up.
   VehicleState(const sim::World& world, const sim::Link& link);
-  /// Other frames than the world's on the Earth, and the link's x forward, z up.
-  void set_frames(const Eigen::Quaterniond& R_ned_world, const Eigen::Quaterniond& R_link_frd);
+  /// Another frame than the world's on the Earth.
+  void set_R_ned_world(const Eigen::Quaterniond& R_ned_world) { R_ned_world_ = R_ned_world; }
+  /// Another one than the link's x forward, z up.
+  void set_R_link_frd(const Eigen::Quaterniond& R_link_frd) { R_link_frd_ = R_link_frd; }
 
   Eigen::Vector3d p_ned() const;         ///< from the world's origin [m]
   Eigen::Vector3d v_ned() const;         ///< [m/s]

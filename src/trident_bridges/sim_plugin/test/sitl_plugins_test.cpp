@@ -133,11 +133,27 @@ TEST(MavlinkInterface, TheNextStepWaitsForPx4) {
   vehicle->step(5);
 }
 
-TEST(MavlinkInterface, WithoutLockstepTheWorldContinues) {
+TEST(MavlinkInterface, WithoutLockstepTheWorldContinuesAndHearsWhoConnects) {
+  const int port = free_port("tcp-l://127.0.0.1:0");
   Vehicle vehicle("libgazebo_mavlink_interface.so",
-                  kChannel + tcp_port() + "<enable_lockstep>false</enable_lockstep>");
+                  kChannel + "<mavlink_tcp_port>" + std::to_string(port) +
+                      "</mavlink_tcp_port><enable_lockstep>false</enable_lockstep>");
   vehicle->step(5);
   EXPECT_EQ(vehicle->step_count(), 5U);
+  EXPECT_FALSE(vehicle.autopilots().all().front()->is_gone());
+  bridges::EpollLoop loop;
+  bridges::EndpointOptions options;
+  options.url = "tcp://127.0.0.1:" + std::to_string(port);
+  {
+    bool is_there = false;
+    bridges::EndpointEvents events;
+    events.joined = [&](bridges::PeerId, const std::string&) { is_there = true; };
+    const auto px4 = bridges::open_endpoint(options, loop, std::move(events));
+    while (!is_there) loop.run_once(1.0);
+    vehicle->step(1);
+  }
+  vehicle->step(1);
+  EXPECT_TRUE(vehicle.autopilots().all().front()->is_gone());  // so it had been there
 }
 
 TEST(ArduPilotPlugin, BadElementsAreRefusedWithValueAndRange) {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "trident_base/angle.h"
 #include "trident_bridges/mavlink/dialect.h"
 #include "trident_bridges/mavlink/packet.h"
 
@@ -15,13 +17,13 @@ using mavlink::pack;
 
 constexpr mavlink::Address kSimulator{1, 200};  ///< as PX4's own plugin for Gazebo has it
 constexpr double kStandardGravity = 9.80665;    ///< [m/s^2]
-constexpr double kPi = 3.14159265358979323846;
 
-/// A number in the range of an integer of the wire.
+/// A number in the range of an integer of the wire; NaN is 0.
 template <class Integer>
 Integer to_wire(double value) {
   constexpr auto lo = static_cast<double>(std::numeric_limits<Integer>::min());
   constexpr auto hi = static_cast<double>(std::numeric_limits<Integer>::max());
+  if (std::isnan(value)) return 0;
   return static_cast<Integer>(std::clamp(std::round(value), lo, hi));
 }
 
@@ -117,7 +119,7 @@ void Px4Link::send_gps(SimTime stamp, const HilGps& gps) {
   out.vn = to_wire<std::int16_t>(gps.v_ned.x() * 100.0);
   out.ve = to_wire<std::int16_t>(gps.v_ned.y() * 100.0);
   out.vd = to_wire<std::int16_t>(gps.v_ned.z() * 100.0);
-  const double course = std::atan2(gps.v_ned.y(), gps.v_ned.x()) * 180.0 / kPi;
+  const double course = rad_to_deg(std::atan2(gps.v_ned.y(), gps.v_ned.x()));
   out.cog = to_wire<std::uint16_t>((course < 0.0 ? course + 360.0 : course) * 100.0);
   out.satellites_visible = to_wire<std::uint8_t>(gps.satellites);
   write(pack(out, kSimulator));
@@ -146,7 +148,9 @@ void Px4Link::send_state(SimTime now, const HilState& state) {
   write(pack(out, kSimulator));
 }
 
-bool Px4Link::runs_free() const { return is_connected_ && !has_answered_ && asked_count_ > 1; }
+bool Px4Link::runs_free() const {
+  return is_connected_ && asked_count_ > 1 && (!lockstep_ || !has_answered_);
+}
 
 bool Px4Link::is_awaited(double wall_s) const {
   if (!lockstep_ || is_given_up_) return false;

@@ -29,7 +29,7 @@ class OutsideAutopilot {
   virtual std::string awaited() const = 0;
   /// Its connection has ended, and has not been made again.
   virtual bool is_gone() const = 0;
-  /// It has connected, and is sent sensors without being waited for, as it has never answered: how
+  /// It has connected, and is not waited for, as it has never answered or is not in lockstep: how
   /// far it gets by when is left to chance.
   virtual bool runs_free() const = 0;
   /// Takes what has come; waits for it for up to `timeout_s` of wall time, or until anything comes

@@ -46,12 +46,12 @@ void AutopilotGate::check_silence(OutsideAutopilot& autopilot, SimTime now) {
   waiting_.erase(autopilot.who());
 }
 
-/// Those that were never waited for: what they do when, the wall clock decides.
+/// Those that are there and not waited for: what they do when, the wall clock decides.
 void AutopilotGate::note_free_ones(SimTime now) {
   for (const OutsideAutopilot* autopilot : autopilots_.all()) {
     if (!autopilot->runs_free()) continue;
-    losses_.repeatability().spoil(autopilot->who(), now,
-                                  "gets sensors at the pace of the wall clock until it answers");
+    losses_.repeatability().spoil(
+        autopilot->who(), now, "is not waited for: when its answers come, the wall clock decides");
   }
 }
 

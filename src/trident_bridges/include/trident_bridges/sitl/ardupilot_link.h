@@ -63,7 +63,9 @@ class ArduPilotLink {
 
   /// Whether the next step that ends with a state must wait for a packet.
   bool is_awaited() const { return lockstep_ && !is_given_up_ && !has_packet_; }
-  bool has_joined() const { return joins_ > 0; }         ///< a packet has come, now or before
+  bool has_joined() const { return joins_ > 0; }  ///< a packet has come, now or before
+  /// It has joined, and nobody waits for it.
+  bool runs_free() const { return !lockstep_ && has_joined(); }
   bool is_gone() const { return is_gone_; }              ///< disconnected() since the last packet
   const ServoPacket& servos() const { return servos_; }  ///< of the newest packet
   std::uint64_t packets() const { return packets_; }     ///< that were no repeats

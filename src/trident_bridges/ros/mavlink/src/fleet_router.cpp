@@ -28,7 +28,6 @@ mavlink::RouterOptions router_options() {
 struct FleetRouter::Vehicle {
   Vehicle(bool accept_mavlink1, VehicleKey& its_key)
       : key(its_key), parser(accept_mavlink1), writer(its_key.signer(kLink)) {}
-  std::string name;
   VehicleKey& key;
   mavlink::PacketParser parser;
   mavlink::PacketWriter writer;
@@ -75,7 +74,6 @@ SimTime FleetRouter::now() const { return SimTime::from_seconds(loop_.now_s()); 
 std::size_t FleetRouter::add_vehicle(const std::string& name, bool accept_mavlink1, VehicleKey& key,
                                      Received received) {
   vehicles_.push_back(std::make_unique<Vehicle>(accept_mavlink1, key));
-  vehicles_.back()->name = name;
   vehicles_.back()->received = std::move(received);
   const std::size_t number = vehicles_.size() - 1;
   router_.add_peer(static_cast<mavlink::RouterPeer>(number), name);
@@ -86,7 +84,9 @@ std::size_t FleetRouter::add_vehicle(const std::string& name, bool accept_mavlin
 void FleetRouter::send(std::size_t vehicle, const mavlink::Message& message) {
   if (clients_.empty() && message.id != kHeartbeat) return;
   const Bytes packet = vehicles_[vehicle]->writer.write(message);
+  is_of_vehicle_ = true;
   router_.receive(static_cast<mavlink::RouterPeer>(vehicle), packet, true, now());
+  is_of_vehicle_ = false;
 }
 
 void FleetRouter::hand_out(mavlink::RouterPeer peer, Bytes packet) {
@@ -94,6 +94,7 @@ void FleetRouter::hand_out(mavlink::RouterPeer peer, Bytes packet) {
     endpoint_->send(peer - kFirstClient, packet);
     return;
   }
+  if (is_of_vehicle_) return;  // vehicles say nothing to each other
   waiting_.push_back({peer, {packet.begin(), packet.end()}});
 }
 

@@ -90,6 +90,8 @@ void VehicleSensors::on_odometry(const nav_msgs::Odometry& message) {
   state_.p_world_m = T_world_body.p;
   state_.R_world_body = T_world_body.R.normalized();
   state_.v_world_m_s = state_.R_world_body * Eigen::Vector3d(v.x, v.y, v.z);
+  // Of a time before a reset: they would hold back what comes now.
+  if (state_.position_stamp && stamp < *state_.position_stamp) batteries_.clear();
   state_.position_stamp = stamp;
   const double variance_m2 = std::max(message.pose.covariance[0], message.pose.covariance[7]);
   state_.position_stddev_m = std::isfinite(variance_m2) ? std::sqrt(std::max(variance_m2, 0.0)) : 0;

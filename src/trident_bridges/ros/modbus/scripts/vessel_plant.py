@@ -22,6 +22,7 @@ from std_msgs.msg import Bool, Float32, Float64
 
 RATE_HZ = 10.0
 SIDES = ("port", "starboard")
+PROPELLERS = ("left", "right")
 PUMP_M_S = 0.01  # how fast a pump lowers the water
 LEAK_LEVEL_M = 0.005  # at which the sensor is wet
 BASE_LOAD_W = 40.0
@@ -48,7 +49,7 @@ class Plant:
     capacity_wh: float = 1000.0
     charge: float = 0.9
     leak_m_s: dict[str, float] = field(default_factory=lambda: dict.fromkeys(SIDES, 0.0))
-    thrust_n: dict[str, float] = field(default_factory=dict)
+    thrust_n: dict[str, float] = field(default_factory=lambda: dict.fromkeys(PROPELLERS, 0.0))
     pump: dict[str, bool] = field(default_factory=lambda: dict.fromkeys(SIDES, False))
     level_m: dict[str, float] = field(default_factory=lambda: dict.fromkeys(SIDES, 0.0))
     current_a: float = 0.0
@@ -87,7 +88,7 @@ class PlantNode:
         self._leaks = {
             side: rospy.Publisher(f"bilge/{side}_leak", Bool, queue_size=5) for side in SIDES
         }
-        for name in ("left", "right"):
+        for name in PROPELLERS:
             rospy.Subscriber(f"thrusters/{name}_thrust", Float32, partial(self._on_thrust, name))
         for side in SIDES:
             rospy.Subscriber(f"bilge/{side}_pump", Bool, partial(self._on_pump, side))

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_bridges_ros/modbus/device_watch.h"
 
-#include <algorithm>
 #include <cstdio>
 
 namespace trident::bridges::modbus {
@@ -68,10 +67,7 @@ DeviceWatch::DeviceWatch(const RegisterMap& map, const LinkOptions& options, Pol
   poll();
 }
 
-DeviceWatch::~DeviceWatch() {
-  loop_.cancel(poll_call_);
-  loop_.cancel(deadline_call_);
-}
+DeviceWatch::~DeviceWatch() { loop_.cancel(poll_call_); }
 
 void DeviceWatch::poll() {
   poll_call_ = loop_.call_after(1.0 / client_.map().spec.poll, [this] { poll(); });

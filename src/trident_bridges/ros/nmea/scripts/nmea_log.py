@@ -45,6 +45,8 @@ def copy(connection: socket.socket, path: Path) -> None:
                 block = connection.recv(_BLOCK)
             except TimeoutError:
                 continue
+            except OSError:  # reset: the server has died
+                return
             if not block:
                 return
             log.write(block)
@@ -77,10 +79,10 @@ def main() -> int:
     except (rospy.ROSException, rospy.ServiceException) as error:
         rospy.logfatal("%s", error)
         return 1
+    path = Path(folder) / f"{vehicle}.nmea" if folder else Path("/dev/null")
     if folder:
-        path = Path(folder) / f"{vehicle}.nmea"
         path.with_suffix(".nmea.json").write_text(json.dumps(about), encoding="utf-8")
-        copy(connection, path)
+    copy(connection, path)
     rospy.spin()
     return 0
 

@@ -47,8 +47,10 @@ NmeaNode::NmeaNode(ros::NodeHandle& node, NodePollLoop& loop, const NmeaNodePara
   output_.set_autopilot(routes_.autopilot());
   for (const NmeaLinkParams& link : params.links) open(node, link, params);
   open_ais(node, params);
-  input_ = std::make_unique<VehicleInput>(node, loop, params.topics, sender_, clock_, refusals_,
-                                          vehicle_hooks());
+  // Who only listens has no use for what the vehicle measures.
+  if (senders_.empty() && !ais_ && !params.autopilot.is_on) return;
+  input_ = std::make_unique<VehicleInput>(node, loop, params.topics, params.origin.heading_rad,
+                                          sender_, clock_, refusals_, vehicle_hooks());
 }
 
 NmeaNode::~NmeaNode() = default;

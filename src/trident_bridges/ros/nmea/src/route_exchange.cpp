@@ -96,7 +96,8 @@ void RouteExchange::on_position(SimTime stamp, const std::string& frame_id,
                                 const nmea::GroundVelocity& velocity) {
   frame_id_ = frame_id;
   p_frame_vehicle_ = p_frame;
-  guidance_.on_position(stamp, p_frame.x(), p_frame.y(), velocity);
+  const Eigen::Vector2d p_enu = frame_.R_enu_frame() * p_frame;
+  guidance_.on_position(stamp, p_enu.x(), p_enu.y(), velocity);
 }
 
 void RouteExchange::on_path(const nav_msgs::Path& path) {
@@ -122,7 +123,9 @@ void RouteExchange::make_route() {
   for (std::size_t i = 0; i < p_frame_route_.size(); ++i) {
     const Eigen::Vector2d& p = p_frame_route_[i];
     const nmea::RoutePlace place = frame_.to_earth(p);
-    route.push_back({waypoint_name(i), place.latitude_deg, place.longitude_deg, p.x(), p.y()});
+    const Eigen::Vector2d p_enu = frame_.R_enu_frame() * p;
+    route.push_back(
+        {waypoint_name(i), place.latitude_deg, place.longitude_deg, p_enu.x(), p_enu.y()});
   }
   guidance_.set_route(std::move(route));
 }

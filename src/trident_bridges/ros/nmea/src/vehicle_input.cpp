@@ -44,11 +44,12 @@ std::string fix_problem(const sensor_msgs::NavSatFix& message) {
   return problem;
 }
 
-/// Heading, tilt and turn of an odometry whose frame has x to the east.
-nmea::Attitude attitude_of(const nav_msgs::Odometry& message) {
+/// Heading, tilt and turn.
+nmea::Attitude attitude_of(const nav_msgs::Odometry& message,
+                           const Eigen::Quaterniond& R_enu_frame) {
   const auto& q = message.pose.pose.orientation;
   const Eigen::Vector3d rpy =
-      SE3{Eigen::Quaterniond(q.w, q.x, q.y, q.z), Eigen::Vector3d::Zero()}.rpy();
+      SE3{R_enu_frame * Eigen::Quaterniond(q.w, q.x, q.y, q.z), Eigen::Vector3d::Zero()}.rpy();
   nmea::Attitude attitude;
   attitude.heading_rad = 0.5 * kPi - rpy.z();
   attitude.roll_rad = rpy.x();
@@ -57,23 +58,25 @@ nmea::Attitude attitude_of(const nav_msgs::Odometry& message) {
   return attitude;
 }
 
-nmea::GroundVelocity velocity_of(const nav_msgs::Odometry& message) {
+nmea::GroundVelocity velocity_of(const nav_msgs::Odometry& message,
+                                 const Eigen::Quaterniond& R_enu_frame) {
   const auto& q = message.pose.pose.orientation;
   const auto& v = message.twist.twist.linear;
-  const Eigen::Vector3d v_world =
-      Eigen::Quaterniond(q.w, q.x, q.y, q.z) * Eigen::Vector3d(v.x, v.y, v.z);
-  return {v_world.x(), v_world.y()};
+  const Eigen::Vector3d v_enu =
+      R_enu_frame * Eigen::Quaterniond(q.w, q.x, q.y, q.z) * Eigen::Vector3d(v.x, v.y, v.z);
+  return {v_enu.x(), v_enu.y()};
 }
 
 }  // namespace
 
 VehicleInput::VehicleInput(ros::NodeHandle& node, NodePollLoop& loop, const NmeaTopicParams& topics,
-                           nmea::SentenceSender& sender, const UtcClock& clock,
-                           ros_utils::Refusals& refusals, VehicleHooks hooks)
+                           double frame_heading_rad, nmea::SentenceSender& sender,
+                           const UtcClock& clock, ros_utils::Refusals& refusals, VehicleHooks hooks)
     : node_(node),
       loop_(loop),
       refusals_(refusals),
       hooks_(std::move(hooks)),
+      R_enu_frame_(Eigen::AngleAxisd(frame_heading_rad, Eigen::Vector3d::UnitZ())),
       gnss_(sender, clock),
       instruments_(sender) {
   listen<trident_msgs::GnssStatus>(topics.gnss_status, [this](const auto& m) { on_status(m); });
@@ -186,8 +189,8 @@ void VehicleInput::on_odometry(const nav_msgs::Odometry& message) {
     problem = ros_utils::number_problem(message.twist.twist.angular.z, 1e3, "twist.angular.z");
   }
   if (!accept("odometry", problem)) return;
-  velocity_ = velocity_of(message);
-  attitude_ = attitude_of(message);
+  velocity_ = velocity_of(message, R_enu_frame_);
+  attitude_ = attitude_of(message, R_enu_frame_);
   gnss_.set_velocity(*velocity_);
   instruments_.set_ground_velocity(*velocity_);
   const SimTime stamp = to_sim(message.header.stamp);

@@ -83,6 +83,25 @@ def test_a_vehicles_path_is_sent_as_a_route(
     assert float(apb[13]) == pytest.approx(0.0)
 
 
+def test_bearings_are_those_of_a_frame_that_is_turned(
+    ros: Ros, boat: Boat, client: Callable[[int], Client]
+) -> None:
+    origin = {"given": True, "latitude": LATITUDE_DEG, "longitude": LONGITUDE_DEG}
+    rates = {"RMB": 5.0, "HDT": 5.0}
+    port = start_server(ros, "nmea", rates=rates, origin={**origin, "heading": math.pi / 2})
+    one = client(port)
+    publisher = rospy.Publisher("command/path", Path, queue_size=1, latch=True)
+    pose = PoseStamped()
+    pose.pose.position.x = 1000.0  # to the north, as the boat's x
+    publisher.publish(Path(poses=[pose]))
+    eventually(sailing(boat, lambda: bool(one.lines("RMB") and one.lines("HDT"))), "a bearing")
+    publisher.unregister()
+    heading = float(one.lines("HDT")[-1].split(",")[1])
+    bearing = float(one.lines("RMB")[-1].split(",")[11])
+    assert math.remainder(heading, 360.0) == pytest.approx(0.0, abs=0.1)
+    assert math.remainder(bearing, 360.0) == pytest.approx(0.0, abs=1.0)
+
+
 def test_vessels_hear_each_other_by_ais(ros: Ros, client: Callable[[int], Client]) -> None:
     ports = [
         start_server(

@@ -47,6 +47,15 @@ Link& required_link(const PluginContext& context, const std::string& key) {
   return *link;
 }
 
+Link& own_link(const PluginContext& context) {
+  if (context.link != nullptr) return *context.link;
+  if (context.params.has("linkName")) return required_link(context, "linkName");
+  if (context.model == nullptr || context.model->canonical_link() == nullptr) {
+    throw Error(context.params.owner() + ": belongs in a model with a link");
+  }
+  return *context.model->canonical_link();
+}
+
 OutHandle<FrameSample> advertise_frame(const PluginContext& context, const std::string& parent,
                                        const std::string& child) {
   const std::string name = "tf/" + child;

@@ -19,6 +19,9 @@ std::string scoped_topic(const PluginParams& params, const std::string& topic);
 
 /// The link that `key` names, with or without a leading slash. Throws Error with the known ones.
 Link& required_link(const PluginContext& context, const std::string& key);
+/// The link that the plugin stands in, else the one that <linkName> names, else the model's
+/// canonical one. Throws Error for a model without links.
+Link& own_link(const PluginContext& context);
 Joint& required_joint(const PluginContext& context, const std::string& key);
 /// The joint that `key` names, or the one of the name `fallback`.
 Joint& joint_or(const PluginContext& context, const std::string& key, const std::string& fallback);

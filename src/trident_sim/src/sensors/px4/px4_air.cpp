@@ -12,18 +12,13 @@
 namespace trident::sim {
 namespace {
 
-Link& link_of(const PluginContext& context) {
-  if (context.params.has("linkName")) return required_link(context, "linkName");
-  return *context.model->canonical_link();
-}
-
 /// PX4's barometer: the standard atmosphere's pressure at a link's origin above the sea
 /// (<spherical_coordinates>), with white noise of 1 Pa and a steady drift.
 class Px4Barometer : public MeasuringPlugin {
  public:
   explicit Px4Barometer(const PluginContext& context)
       : MeasuringPlugin(context.world.timing()),
-        link_(link_of(context)),
+        link_(own_link(context)),
         clock_(context.params.number("pubRate", 50.0, {0.0, 1e6})),
         drift_pa_s_(context.params.number("baroDriftPaPerSec", 0.0, {-1e3, 1e3})),
         stream_(context.world.seed(), context.name) {
@@ -57,25 +52,21 @@ class Px4Barometer : public MeasuringPlugin {
 
 /// PX4's airspeed sensor: the air's speed along the link's x axis [m/s], against the world's wind
 /// where it has one, with white noise.
-class Px4Airspeed : public Plugin {
+class Px4Airspeed : public MeasuringPlugin {
  public:
   explicit Px4Airspeed(const PluginContext& context)
-      : link_(context.link != nullptr ? *context.link : link_of(context)),
+      : MeasuringPlugin(context.world.timing()),
+        link_(own_link(context)),
         clock_(context.params.number("pubRate", 10.0, {0.0, 1e6})),
         stddev_(context.params.number("noiseStdDev", 0.1, {0.0, 100.0})),
-        phase_(context.world.timing() == LoopTiming::kRotors ? Phase::kSense : Phase::kPost),
         stream_(context.world.seed(), context.name) {
     speed_ = advertise<ScalarSample>(
         context, vehicle_topic(context, context.params.text("airspeedTopic", "airspeed")),
         PortRank::kSensor);
   }
 
-  std::vector<Phase> phases() const override { return {phase_}; }
-  void pre_step(Phase, World& world, const StepInfo& info) override { measure(world, info); }
-  void post_step(const World& world, const StepInfo& info) override { measure(world, info); }
-
- private:
-  void measure(const World& world, const StepInfo& info) {
+ protected:
+  void measure(const World& world, const StepInfo& info) override {
     if (!clock_.is_due(info) || !speed_->wanted()) return;
     around_.look(world);
     const SE3 T_world_link = link_.T_world_link();
@@ -87,10 +78,10 @@ class Px4Airspeed : public Plugin {
     speed_->publish();
   }
 
+ private:
   Link& link_;
   SampleClock clock_;
   double stddev_;
-  Phase phase_;
   RandomStream stream_;
   Surroundings around_;
   OutHandle<ScalarSample> speed_;

@@ -49,7 +49,7 @@ class Px4Gps : public MeasuringPlugin {
  public:
   explicit Px4Gps(const PluginContext& context)
       : MeasuringPlugin(context.world.timing()),
-        link_(link_of(context)),
+        link_(own_link(context)),
         clock_(context.params.number("updateRate", 5.0, {0.0, 1e6})),
         delay_(SimTime::from_seconds(context.params.number("gpsDelay", 0.12, {0.0, 10.0}))),
         stream_(context.world.seed(), context.name) {
@@ -84,12 +84,6 @@ class Px4Gps : public MeasuringPlugin {
     SimTime stamp;
     Eigen::Vector3d p_enu, v_enu;
   };
-
-  static Link& link_of(const PluginContext& context) {
-    if (context.link != nullptr) return *context.link;
-    if (context.params.has("linkName")) return required_link(context, "linkName");
-    return *context.model->canonical_link();
-  }
 
   void read_noise(const PluginContext& context) {
     const PluginParams& params = context.params;

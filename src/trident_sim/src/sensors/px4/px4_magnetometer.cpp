@@ -35,8 +35,7 @@ class Px4Magnetometer : public MeasuringPlugin {
  public:
   explicit Px4Magnetometer(const PluginContext& context)
       : MeasuringPlugin(context.world.timing()),
-        link_(context.params.has("linkName") ? required_link(context, "linkName")
-                                             : *context.model->canonical_link()),
+        link_(own_link(context)),
         clock_(context.params.number("pubRate", 100.0, {0.0, 1e6})),
         stream_(context.world.seed(), context.name) {
     const PluginParams& params = context.params;

@@ -5,6 +5,7 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -59,22 +60,14 @@ class NodePollLoop {
             ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()),
                                                static_cast<std::uint32_t>(bytes.size()));
             ros::serialization::deserialize(stream, *message);
-          } catch (const ros::Exception&) {
+          } catch (const std::exception&) {  // of a length, before its bytes are looked at
             warn_of_unreadable(topic, bytes.size());
             return;
           }
           handler(*message);
         });
   }
-  /// The same with a message's bytes.
-  template <class Message>
-  std::unique_ptr<ros_utils::DirectSubscription> subscribe_bytes(
-      ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
-      ros_utils::DirectInbox::Handler handler) {
-    return inbox_.subscribe<Message>(node, topic, queue_size, std::move(handler));
-  }
-
-  /// The same for a type that is known only when the program runs.
+  /// The same with a message's bytes, of a type that is known only when the program runs.
   std::unique_ptr<ros_utils::DirectSubscription> subscribe_bytes(
       ros::NodeHandle& node, const std::string& topic, std::uint32_t queue_size,
       const ros_utils::MessageType& type, ros_utils::DirectInbox::Handler handler) {

@@ -62,6 +62,7 @@ class FleetRouter {
     std::vector<std::uint8_t> packet;
   };
   std::deque<Waiting> waiting_;
+  bool is_of_vehicle_ = false;  ///< what is handed out
   mavlink::Router router_;
 };
 

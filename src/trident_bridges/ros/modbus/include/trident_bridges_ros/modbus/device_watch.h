@@ -36,7 +36,7 @@ class DeviceWatch {
   double begin_s_;
   std::size_t blocks_;
   std::optional<PeerId> peer_;
-  std::uint64_t poll_call_ = 0, deadline_call_ = 0;
+  std::uint64_t poll_call_ = 0;
   Client client_;
   ModbusLink link_;
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <memory>
 
 #include "trident_base/config_types.h"
@@ -45,6 +45,8 @@ class LocalFrame {
   /// The place of a point of the frame.
   nmea::RoutePlace to_earth(const Eigen::Vector2d& p_frame) const;
   double heading_rad() const { return heading_rad_; }  ///< of x, counter-clockwise from east
+  /// From the frame's axes to east and north.
+  Eigen::Rotation2Dd R_enu_frame() const { return Eigen::Rotation2Dd(heading_rad_); }
 
  private:
   struct Impl;

@@ -7,7 +7,7 @@
 #include <sensor_msgs/NavSatFix.h>
 #include <trident_msgs/GnssStatus.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -37,10 +37,11 @@ struct VehicleHooks {
 /// Reads a vehicle's instruments from topics and has sentences made of them.
 class VehicleInput {
  public:
-  /// Subscribes below `node`'s namespace. The references outlive the input.
+  /// Subscribes below `node`'s namespace. `frame_heading_rad`: of the odometry frame's x,
+  /// counter-clockwise from east. The references outlive the input.
   VehicleInput(ros::NodeHandle& node, NodePollLoop& loop, const NmeaTopicParams& topics,
-               nmea::SentenceSender& sender, const UtcClock& clock, ros_utils::Refusals& refusals,
-               VehicleHooks hooks);
+               double frame_heading_rad, nmea::SentenceSender& sender, const UtcClock& clock,
+               ros_utils::Refusals& refusals, VehicleHooks hooks);
 
  private:
   template <class Message, class Handler>
@@ -57,6 +58,7 @@ class VehicleInput {
   NodePollLoop& loop_;
   ros_utils::Refusals& refusals_;
   VehicleHooks hooks_;
+  Eigen::Quaterniond R_enu_frame_;  ///< of the odometry's frame
   nmea::GnssTalker gnss_;
   nmea::InstrumentTalker instruments_;
   nmea::GnssJoin join_;
