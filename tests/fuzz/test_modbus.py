@@ -59,6 +59,7 @@ def test_client(ros: Ros, tmp_path: Path) -> None:
 
 
 #: What the vessel of the next two nodes measures.
+OTTER = str(Path(__file__).parents[2] / "config" / "bridges" / "otter_plc.yaml")
 THRUST = "/boat/thrusters/left_thrust"
 
 
@@ -70,23 +71,16 @@ def thrust() -> Float32:
 def test_plant(ros: Ros) -> None:
     command = [program("trident_bridges", "vessel_plant.py"), "__name:=plant", "__ns:=/boat"]
     process = started(ros, "/boat/plant", command)
-    thrust = Asked(
-        "/boat/thrusters/left_thrust", lambda: Float32(20.0), "/boat/battery", BatteryState
-    )
-    answers_on(process, "/boat/plant", thrust)
+    answers_on(process, "/boat/plant", Asked(THRUST, thrust, "/boat/battery", BatteryState))
 
 
 @pytest.mark.fuzzes("trident_bridges/plc_pilot.py")
 def test_pilot(ros: Ros, tmp_path: Path) -> None:
     ros.set_param(
         "/bridge/pilot",
-        {"plan": [[0.0, 60.0, 60.0]], "vessel": "boat", "timeout": 0.5, "limits": [-100.0, 100.0]}
-        | {"out_dir": str(tmp_path)},
+        {"plan": [[0.0, 60.0, 60.0]], "vessel": "boat", "map": OTTER, "out_dir": str(tmp_path)},
     )
     command = [program("trident_bridges", "plc_pilot.py"), "__name:=pilot", "__ns:=/bridge"]
     process = started(ros, "/bridge/pilot", command)
-    thrust = "/boat/thrusters/left_thrust"
-    command_topic = "/bridge/thrusters/left_thrust_cmd"
-    answers_on(
-        process, "/bridge/pilot", Asked(thrust, lambda: Float32(20.0), command_topic, Float32)
-    )
+    speed = "/bridge/thrusters/left_thrust_cmd"
+    answers_on(process, "/bridge/pilot", Asked(THRUST, thrust, speed, Float32))

@@ -19,6 +19,7 @@ from typing import Any
 from trident_tool.formation import Handler
 from trident_tool.links import run_at_master
 from trident_tool.modules import run_module
+from trident_tool.subcommands import add_subcommand
 from trident_tool.workspace import Runner, TridentError, Workspace
 
 _OPTIONS = "src/trident_eval/src/trident_eval/options.py"
@@ -44,14 +45,7 @@ def _add_benchmarks(kinds: Any) -> None:
     try:
         registry = importlib.import_module("trident_benchmarks.registry")
         for benchmark in registry.BENCHMARKS:
-            sub = kinds.add_parser(benchmark.name, help=benchmark.help, description=benchmark.help)
-            # It may stand before the benchmark's name: its absence here says nothing.
-            sub.add_argument(
-                "--dry-run",
-                action="store_true",
-                default=argparse.SUPPRESS,
-                help="print what would be done, and do nothing",
-            )
+            sub = add_subcommand(kinds, benchmark.name, benchmark.help)
             benchmark.load().add_options(sub)
             sub.set_defaults(call=("trident_benchmarks", benchmark.name), passes_on=False)
     finally:

@@ -7,11 +7,11 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from trident_tool.building import build
 from trident_tool.environment import ros_environment
 from trident_tool.formation import Handler, option_words
+from trident_tool.subcommands import add_subcommand
 from trident_tool.workspace import Runner, Workspace
 
 _TOOL = Path("lib/trident_bridges/modbus_tool")
@@ -23,13 +23,15 @@ def add_modbus_command(add: Callable[[str, Handler, str], argparse.ArgumentParse
     modbus = add("modbus", _cmd_modbus, "check and print maps of Modbus registers, watch a device")
     kinds = modbus.add_subparsers(dest="modbus_command", metavar="COMMAND", required=True)
 
-    sub = _add(kinds, "check", "print all that is wrong with maps, with file and line")
+    sub = add_subcommand(kinds, "check", "print all that is wrong with maps, with file and line")
     sub.add_argument("maps", nargs="+", type=Path, metavar="MAP.yaml", help="of config/bridges")
 
-    sub = _add(kinds, "print", "print the values of a map by table and address")
+    sub = add_subcommand(kinds, "print", "print the values of a map by table and address")
     sub.add_argument("maps", nargs=1, type=Path, metavar="MAP.yaml", help="of config/bridges")
 
-    sub = _add(kinds, "watch", "print the values of a device as they change; nothing is written")
+    sub = add_subcommand(
+        kinds, "watch", "print the values of a device as they change; nothing is written"
+    )
     sub.add_argument("where", metavar="HOST:PORT", help="or a serial device, /dev/ttyUSB0")
     sub.add_argument("--map", type=Path, metavar="MAP.yaml", help="default: that of the Otter")
     sub.add_argument("--unit", type=int, metavar="N", help="default: the map's")
@@ -38,18 +40,6 @@ def add_modbus_command(add: Callable[[str, Handler, str], argparse.ArgumentParse
     sub.add_argument(
         "--allow-remote", action="store_true", help="HOST may be another machine than this one"
     )
-
-
-def _add(kinds: Any, name: str, text: str) -> argparse.ArgumentParser:
-    sub: argparse.ArgumentParser = kinds.add_parser(name, help=text, description=text)
-    # It may stand before the command's name: its absence here says nothing.
-    sub.add_argument(
-        "--dry-run",
-        action="store_true",
-        default=argparse.SUPPRESS,
-        help="print what would be done, and do nothing",
-    )
-    return sub
 
 
 def _words(workspace: Workspace, options: argparse.Namespace) -> list[str]:
@@ -65,7 +55,7 @@ def _words(workspace: Workspace, options: argparse.Namespace) -> list[str]:
 
 
 def _cmd_modbus(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    build(workspace, runner)
+    build(workspace, runner, [_TOOL.name])
     command = [workspace.devel / _TOOL, options.modbus_command, *_words(workspace, options)]
     env = None if runner.dry_run else ros_environment(workspace)
     return runner.run(command, env=env)

@@ -11,6 +11,7 @@ from pathlib import Path
 from trident_tool.building import build
 from trident_tool.environment import ros_environment
 from trident_tool.formation import Handler
+from trident_tool.subcommands import add_subcommand
 from trident_tool.workspace import Runner, TridentError, Workspace
 
 _PROGRAM = "nmea_replay"
@@ -20,14 +21,7 @@ def add_nmea_command(add: Callable[[str, Handler, str], argparse.ArgumentParser]
     """Adds ``nmea`` to the command line."""
     sub = add("nmea", _cmd_nmea, "send a recording of NMEA 0183 again")
     kinds = sub.add_subparsers(dest="what", metavar="WHAT", required=True)
-    replay = kinds.add_parser("replay", help="send the sentences of a file at the times in them")
-    # It may stand before the word replay: its absence here says nothing.
-    replay.add_argument(
-        "--dry-run",
-        action="store_true",
-        default=argparse.SUPPRESS,
-        help="print what would be done, and do nothing",
-    )
+    replay = add_subcommand(kinds, "replay", "send the sentences of a file at the times in them")
     replay.add_argument("file", type=Path, metavar="FILE", help="recording; may hold binary, too")
     replay.add_argument(
         "--to",

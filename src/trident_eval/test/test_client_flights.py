@@ -135,3 +135,13 @@ def test_errands_that_are_not_legal_are_named(tmp_path: Path) -> None:
         with pytest.raises(EvalError) as found:
             read_errands(path)
         assert part in str(found.value), found.value
+
+
+def test_a_run_whose_vehicles_never_came_fails(tmp_path: Path) -> None:
+    (tmp_path / "states.csv").write_text("t,name,x,y,z\n")
+    (tmp_path / "run.json").write_text(json.dumps({"steps": 500}))
+    assert main(["verdict", str(tmp_path), "--no-pictures"]) == 0, "a world alone"
+    mission = {"kind": "ugv", "start": [0.0, 0.0, 0.0, 0.0]}
+    parameters = {"parameters": {"ugv1": {"mission": mission}}}
+    (tmp_path / "params.json").write_text(json.dumps(parameters))
+    assert main(["verdict", str(tmp_path), "--no-pictures"]) == 1

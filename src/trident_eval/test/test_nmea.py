@@ -92,8 +92,12 @@ def test_a_wrong_date_fails(run: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "reason"),
     [
-        ("$GPGGA,000005.00*00\r\n", "1 lines without a right checksum"),
-        ("$GPHDT,1.0,T\r\n", "1 lines without a right checksum"),
+        ("$GPGGA,000005.00*00\r\n", "1 lines that are no sentences"),
+        ("$GPHDT,1.0,T\r\n", "1 lines that are no sentences"),
+        (sentence("$GPGGA,000005.00"), "1 lines that are no sentences"),
+        (sentence("$GPZDA,000005.00,x,1,2026"), "1 lines that are no sentences"),
+        (sentence("$GPHDT,1.0,T").replace("\r", ""), "1 lines that are no sentences"),
+        ("noise \x85\x0b of a line\r\n", "1 lines that are no sentences"),
         (sentence("$GPTXT," + "x" * 75), "a line of 87 characters"),
     ],
 )

@@ -21,13 +21,17 @@ from trident_eval.core.exit_codes import exit_code_of
 from trident_eval.core.faults import add_faults, read_faults
 from trident_eval.core.flight_records import Command, read_command
 from trident_eval.core.log_warnings import log_warnings
-from trident_eval.core.missions import read_missions
 from trident_eval.core.page import Report, page
 from trident_eval.core.plots import draw_all
 from trident_eval.core.provenance import Provenance, read_object, read_provenance
 from trident_eval.core.report import table
 from trident_eval.core.scene import Scene, formation_scene
-from trident_eval.core.subjects import add_subjects, draw_subjects, judge_subject
+from trident_eval.core.subjects import (
+    add_subjects,
+    draw_subjects,
+    has_subject_with_vehicles,
+    judge_subject,
+)
 from trident_eval.core.tracks import NoStatesError, read_states
 from trident_eval.core.vehicles import flights
 from trident_eval.core.verdict import Verdict, judge, take_over
@@ -95,7 +99,7 @@ def _verdict(options: argparse.Namespace) -> int:
 def _without_results(folder: Path, error: EvalError) -> Verdict:
     """A failed run, unless a world ran in which no vehicle was to be."""
     run = read_object(folder / "run.json")
-    was_commanded = read_command(folder) is not None or bool(read_missions(folder))
+    was_commanded = read_command(folder) is not None or has_subject_with_vehicles(folder)
     is_world_alone = isinstance(error, NoStatesError) and run.get("steps", 0) and not was_commanded
     verdict = Verdict({"vehicles": []}, [] if is_world_alone else [str(error)])
     take_over(run, verdict)

@@ -8,7 +8,6 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from trident_benchmarks.links.ns3 import Curve, Ns3
 from trident_benchmarks.links.radios import radio_world, saturating
@@ -17,8 +16,7 @@ PER_LIMIT_DB = 0.7
 WIDTHS = (20, 40, 80)
 _FRAME_BYTES = 38  # of a frame besides its message
 _HALF_DB, _STEP_DB = 1.4, 0.2  # of the ratios about ns-3's at a loss of 10 %
-_STEP_S = 0.01
-Array = npt.NDArray[np.float64]
+_STEP_S = 0.1
 
 
 def ratio_at_tenth(curve: Curve) -> float:
@@ -47,10 +45,10 @@ def counted_losses(mcs: int, width: int, size: int, about_db: float, frames: int
     elements = saturating(mcs, width, 0) | {"tries": 1, "queue_bytes": 2 * size * frames}
     world = radio_world({"sink": (0.0, 0.0), "source": (10.0, 0.0)}, elements)
 
-    def snr() -> float:
-        return next(link.snr for link in world.radio.links("source"))
+    def newest() -> Any:
+        return next(iter(world.radio.links("source")))
 
-    at_10_m = snr()
+    at_10_m = newest().snr
     rows: list[tuple[float, float]] = []
     lost = 0
     for ratio_db in np.arange(about_db - _HALF_DB, about_db + _HALF_DB + 1e-9, _STEP_DB):
@@ -59,10 +57,10 @@ def counted_losses(mcs: int, width: int, size: int, about_db: float, frames: int
         for _ in range(frames):
             if not world.radio.send("source", "sink", bytes(size - _FRAME_BYTES)):
                 raise RuntimeError("the queue of the source is full")
-        link = next(iter(world.radio.links("source")))
+        link = newest()
         while link.delivered + link.lost < link.sent:
-            world.step_until(world.time + _STEP_S * 10)
-            link = next(iter(world.radio.links("source")))
+            world.step_until(world.time + _STEP_S)
+            link = newest()
         rows.append((link.snr, (link.lost - lost) / frames))
         lost = link.lost
         world.radio.receive("sink")

@@ -5,16 +5,16 @@
 from __future__ import annotations
 
 import argparse
-import subprocess
-import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 from trident_eval.core.errors import EvalError
+from trident_eval.ros_paths import program
 
 import trident_sim
+from trident_benchmarks.processes import Processes
 from trident_benchmarks.results import (
     FAILED,
     MEASURED,
@@ -25,7 +25,6 @@ from trident_benchmarks.results import (
 )
 
 _MODEL = "package://trident_description/sdf/sitl_iris.sdf.xacro"
-_STAND_IN = "package://trident_bridges/test_support/{}_stand_in.py"
 _FLIGHT_S, _QUICK_S = 17.0, 6.0
 _WARM_UP_S = 1.0  # until the programs have started
 
@@ -62,15 +61,12 @@ def _flying(row: SitlRow) -> Iterator[trident_sim.World]:
     for i in range(row.n):
         sdf = trident_sim.expand_xacro(_MODEL, autopilot=row.autopilot, instance=i)
         world.spawn(f"iris{i}", sdf=sdf, pose=(2.0 * i, 0.0, 0.06))
-    program = trident_sim.find_resource(_STAND_IN.format(row.autopilot))
-    flag = "-i" if row.autopilot == "px4" else "-I"
-    processes = [subprocess.Popen([sys.executable, program, flag, str(i)]) for i in range(row.n)]
-    try:
+    with Processes() as processes:
+        for i in range(row.n):
+            words = ["--autopilot", row.autopilot, "--instance", str(i), "--stand-in"]
+            processes.start(f"stand_in{i}", [program("trident_bridges", "sitl_program.py"), *words])
         yield world
-    finally:
-        for process in processes:
-            process.kill()
-            process.wait()
+        processes.check_running()
 
 
 def measure_row(row: SitlRow, until_s: float) -> dict[str, Any]:
@@ -90,7 +86,7 @@ def measure_row(row: SitlRow, until_s: float) -> dict[str, Any]:
             state_hash = world.state_hash()
     except trident_sim.Error as error:
         raise EvalError(str(error)) from error
-    if sum(height > 1.0 for height in heights) != row.n:
+    if not all(height > 1.0 for height in heights):
         raise EvalError(f"heights at 5 s are {heights} m; legal: above 1 m")
     rtf = (until_s - _WARM_UP_S) / wall_s
     exchange_us = 1e6 * wall_s / (row.rate * (until_s - _WARM_UP_S))

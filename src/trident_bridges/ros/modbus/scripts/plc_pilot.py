@@ -6,8 +6,9 @@
 Runs in the namespace of a modbus_client_node. Parameters: ~plan, a list of [time, left, right]:
 from that simulated time on the shaft speeds are commanded at 10 Hz [s, rad/s]; a last entry of
 [time] is where it falls silent. ~lights [s], when they are switched on; ~vessel, the namespace of
-the vessel; ~timeout [s], after which the PLC is to make speeds safe; ~out_dir, without which
-nothing is written. Writes plc.csv (t, end, what, value) and plc.json.
+the vessel; ~map, that of the PLC, which says what speeds are legal, and after which silence they
+are made safe; ~out_dir, without which nothing is written. Writes plc.csv (t, end, what, value) and
+plc.json.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 import rospy
+import yaml
 from std_msgs.msg import Bool, Float32
 
 RATE_HZ = 10.0
@@ -43,6 +45,21 @@ def check_plan(plan: Any) -> list[list[float]]:
     if times != sorted(times):
         raise ValueError(f"~plan is {plan!r}, legal: times that grow")
     return rows
+
+
+def rules_of(path: str) -> tuple[list[float], float]:
+    """Legal speeds [rad/s], and the silence after which a map's PLC makes them safe [s].
+
+    Raises:
+        ValueError: the map has no such commands.
+    """
+    try:
+        registers = yaml.safe_load(Path(path).read_text(encoding="utf-8"))["registers"]
+        by_topic = {register.get("topic"): register for register in registers}
+        speed = by_topic[f"thrusters/{PROPELLERS[0]}_thrust_cmd"]
+        return [float(speed["min"]), float(speed["max"])], float(speed["timeout"])
+    except (OSError, KeyError, TypeError, ValueError, AttributeError, yaml.YAMLError) as error:
+        raise ValueError(f"~map {path}: {error!r}; legal: one with limits and a timeout") from error
 
 
 def command_at(plan: list[list[float]], time_s: float) -> list[float] | None:
@@ -107,13 +124,14 @@ def main() -> int:
     folder = str(rospy.get_param("~out_dir", ""))
     try:
         plan = check_plan(rospy.get_param("~plan"))
+        limits, timeout_s = rules_of(str(rospy.get_param("~map")))
     except ValueError as error:
         rospy.logfatal("%s", error)
         return 1
     about = {
         "vessel": str(rospy.get_param("~vessel")),
-        "timeout": float(rospy.get_param("~timeout")),
-        "limits": [float(value) for value in rospy.get_param("~limits")],
+        "timeout": timeout_s,
+        "limits": limits,
         "plan": plan,
     }
     path = Path(folder) / "plc.csv" if folder else Path("/dev/null")

@@ -29,7 +29,7 @@ POSITION_LIMIT_M = 0.1
 LONGEST_LINE = 82  # characters with CR and LF
 RTK_FIXED = 4
 _SUFFIX = ".nmea"
-_LINE = re.compile(r"[$!](?P<body>[^$!*\r\n]*)\*(?P<sum>[0-9A-Fa-f]{2})")
+_LINE = re.compile(r"[$!](?P<body>[^$!*\r\n]*)\*(?P<sum>[0-9A-Fa-f]{2})\r")
 _STATE = ("t", "x", "y", "z", "qx", "qy", "qz", "qw")
 
 
@@ -138,23 +138,25 @@ def _read(path: Path) -> NmeaLog:
         latitude, longitude, height = (float(value) for value in about["origin"])
         antenna = np.array([float(value) for value in about["antenna"]])
         start = datetime.fromisoformat(about["utc_start"].replace("Z", "+00:00"))
-        text = path.read_text(encoding="latin1")
+        blocks = path.read_bytes().split(b"\n")
     except (OSError, KeyError, TypeError, ValueError) as error:
         raise EvalError(f"{about_path}: {error}; legal: what nmea_log.py writes") from error
     positions = _Positions(Datum(latitude, longitude, height), start)
     sentences: dict[str, int] = {}
     wrong = longest = 0
-    for line in text.splitlines(keepends=True):
-        if not line.endswith("\n"):
-            break  # torn by the end of the run
-        longest = max(longest, len(line) + (not line.endswith("\r\n")))
-        found = _LINE.fullmatch(line.rstrip("\r\n"))
+    for block in blocks[:-1]:  # the last one is torn by the end of the run
+        longest = max(longest, len(block) + 1)
+        found = _LINE.fullmatch(block.decode("latin1"))
         if found is None or checksum(found["body"]) != int(found["sum"], 16):
             wrong += 1
             continue
         fields = found["body"].split(",")
+        try:
+            positions.add(fields)
+        except (IndexError, ValueError):  # a field that is not there, or says nothing
+            wrong += 1
+            continue
         sentences[fields[0][2:]] = sentences.get(fields[0][2:], 0) + 1
-        positions.add(fields)
     rows = positions.rows
     time = np.array([row[0] for row in rows])
     p_enu = np.array([row[2] for row in rows]).reshape(-1, 3)
@@ -193,7 +195,9 @@ def judge_nmea(log: NmeaLog) -> tuple[dict[str, Any], list[str]]:
     }
     reasons = []
     if log.wrong:
-        reasons.append(f"{log.wrong} lines without a right checksum, legal: none")
+        reasons.append(
+            f"{log.wrong} lines that are no sentences with a right checksum, legal: none"
+        )
     if log.longest > LONGEST_LINE:
         reasons.append(f"a line of {log.longest} characters, legal: {LONGEST_LINE}")
     if not has_fixes:

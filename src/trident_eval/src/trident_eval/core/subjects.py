@@ -72,6 +72,12 @@ def judge_subject(tracks: Tracks, folder: Path) -> tuple[list[str], Verdict] | N
     return None
 
 
+def has_subject_with_vehicles(folder: Path) -> bool:
+    """Whether vehicles were to be in a run, as its files have it, though none was seen."""
+    readers = (read_client_record, read_piloted, read_missions, read_plc)
+    return any(read(folder) for read in readers)
+
+
 def add_subjects(verdict: Verdict, folder: Path) -> None:
     """Put what else a run was about into its verdict."""
     for subject in SUBJECTS:

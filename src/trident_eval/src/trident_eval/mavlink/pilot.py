@@ -14,10 +14,12 @@ from trident_eval.mavlink.protocols import ErrandError, Item, Steps, command, do
 from trident_eval.mavlink.station import Station, Vehicle
 
 _EARTH_RADIUS_M = 6_378_137.0  # WGS84
-_PREPARE_S, _ARM_S, _MISSION_S, _RETURN_S = 60.0, 20.0, 600.0, 300.0  # of simulated time
+# Of simulated time.
+_PREPARE_S, _ARM_S, _TAKE_OFF_S, _MISSION_S, _RETURN_S = 60.0, 20.0, 300.0, 600.0, 300.0
 _STANDS_M_S = 0.3
 _HOME_RADIUS_M = 6.0
-_PX4_HOLD, _ROVER_HOLD = (4, 3), (4, 0)  # main and sub mode
+# Main and sub mode: PX4's AUTO LOITER, Copter's LOITER, Rover's HOLD.
+_PX4_HOLD, _COPTER_HOLD, _ROVER_HOLD = (4, 3), (5, 0), (4, 0)
 #: Streams that nobody here reads.
 _UNREAD = (
     mavlink.MAVLINK_MSG_ID_ATTITUDE,
@@ -141,7 +143,7 @@ class Pilot:
         params = (0.0, 0.0, 0.0, math.nan, math.nan, math.nan, altitude + height)
         yield from self._do(mavlink.MAV_CMD_NAV_TAKEOFF, *params)
         yield from self._wait(
-            lambda: self._height() > height - 0.5, _RETURN_S, f"take-off to {height:g} m"
+            lambda: self._height() > height - 0.5, _TAKE_OFF_S, f"take-off to {height:g} m"
         )
 
     def _height(self) -> float:
@@ -159,9 +161,14 @@ class Pilot:
             yield from self._wait(
                 lambda: self._home_distance() < _HOME_RADIUS_M, _RETURN_S, "the return home"
             )
-        main, sub = _PX4_HOLD if self._is_px4 else _ROVER_HOLD
+        main, sub = self._hold_mode()
         yield from self._do(mavlink.MAV_CMD_DO_SET_MODE, 1.0, main, sub)
         yield from self._wait(lambda: self.vehicle.speed < _STANDS_M_S, _RETURN_S, "holding")
+
+    def _hold_mode(self) -> tuple[int, int]:
+        if self._is_px4:
+            return _PX4_HOLD
+        return _COPTER_HOLD if self.errand.kind == "uav" else _ROVER_HOLD
 
     def _home_distance(self) -> float:
         here, home = self.vehicle.position, self.record.start
