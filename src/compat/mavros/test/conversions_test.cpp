@@ -138,6 +138,21 @@ TEST(Waypoints, ComeBackAsTheyWere) {
   EXPECT_EQ(to_item(waypoint).x, -471234567);
 }
 
+TEST(Waypoints, APlaceThatIsNotOnEarthHasAProblem) {
+  mavros_msgs::Waypoint waypoint;
+  waypoint.command = MAV_CMD_NAV_WAYPOINT;
+  waypoint.frame = MAV_FRAME_GLOBAL_RELATIVE_ALT;
+  waypoint.x_lat = 63.4;
+  waypoint.y_long = 181.0;
+  EXPECT_EQ(problem_of(waypoint), "y_long is 181, legal: +-180");
+  waypoint.y_long = 10.4;
+  EXPECT_EQ(problem_of(waypoint), "");
+  waypoint.x_lat = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(problem_of(waypoint), "x_lat is nan, legal: +-90");
+  waypoint.command = MAV_CMD_DO_CHANGE_SPEED;
+  EXPECT_EQ(problem_of(waypoint), "");
+}
+
 TEST(Packets, ComeBackByteForByte) {
   ros::Time::init();
   mavlink_heartbeat_t beat{};

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+import threading
 from collections.abc import Iterator
 from typing import Any
 
@@ -22,14 +23,14 @@ from mavros_msgs.msg import (
     State,
     Trajectory,
 )
-from mavros_msgs.srv import LogRequestList
+from mavros_msgs.srv import CommandInt, LogRequestList
 from nav_msgs.msg import Path
 from peer import Peer
-from sensor_msgs.msg import LaserScan, Range
+from sensor_msgs.msg import LaserScan, Range, TimeReference
 from std_srvs.srv import Trigger
 from trajectory_msgs.msg import MultiDOFJointTrajectory, MultiDOFJointTrajectoryPoint
 from trident.testing import Ros, eventually, package, program, recorder
-from vehicle import free_udp_ports
+from trident_base.ports import free_port
 
 NORTH = math.sqrt(0.5)  # z and w of a quaternion that turns the nose from east to north
 
@@ -38,7 +39,7 @@ NORTH = math.sqrt(0.5)  # z and w of a quaternion that turns the nose from east 
 def peer(session_ros: Ros) -> Iterator[Peer]:
     """A vehicle that beats, and a node with all plugins that is connected to it."""
     ros = session_ros
-    own, far = free_udp_ports(2)
+    own, far = free_port(), free_port()
     ros.set_param("/uav1/mavros/fcu_url", f"udp://:{own}@127.0.0.1:{far}")
     one = Peer(far, own)
     words = [program("mavros", "mavros_node"), "__name:=mavros", "__ns:=/uav1"]
@@ -205,3 +206,38 @@ def test_checkid_names_who_speaks(peer: Peer, session_ros: Ros) -> None:
     assert process.wait() == 1
     assert "NOTE: /nobody/mavros/target_system_id is not set" in process.log
     assert "ERROR. Messages come from 0 addresses, none from 1:1." in process.log
+
+
+def test_a_time_that_no_stamp_holds_ends_nothing(peer: Peer) -> None:
+    with recorder("/uav1/mavros/time_reference", TimeReference) as times:
+        peer.send.system_time_send(2**64 - 1, 0)
+        peer.send.system_time_send(1_800_000_000_000_000, 0)
+        eventually(lambda: bool(times.messages), "a time")
+    assert times.messages[0].time_ref.secs == 1_800_000_000
+
+
+def test_corrections_of_whole_fragments_have_an_empty_last_one(peer: Peer) -> None:
+    publisher = rospy.Publisher("/uav1/mavros/gps_rtk/send_rtcm", RTCM, queue_size=1)
+    eventually(lambda: publisher.get_num_connections() > 0, "the node listens")
+    message = RTCM(data=bytes(360))
+    end = peer.asked(
+        lambda: publisher.publish(message), "GPS_RTCM_DATA", lambda one: bool(one.len == 0)
+    )
+    publisher.unregister()
+    assert end.flags & 0b111 == 0b101  # fragmented, the third
+
+
+def test_x_and_y_of_a_command_without_a_place_stay_as_they_are(peer: Peer) -> None:
+    rospy.wait_for_service("/uav1/mavros/cmd/command_int")
+    call = rospy.ServiceProxy("/uav1/mavros/cmd/command_int", CommandInt)
+    asking = threading.Thread(target=lambda: call(command=31000, frame=6, x=5, y=473977420))
+    since = len(peer.heard)
+    asking.start()
+
+    def came() -> list[Any]:
+        return [one for one in peer.heard[since:] if one.get_type() == "COMMAND_INT"]
+
+    eventually(lambda: bool(came()), "the command")
+    assert (came()[0].x, came()[0].y) == (5, 473977420)
+    peer.send.command_ack_send(31000, 0)
+    asking.join()

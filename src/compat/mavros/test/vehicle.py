@@ -4,23 +4,12 @@
 
 from __future__ import annotations
 
-import socket
 from typing import Any
 
 import rospy
 from mavros_msgs.msg import State
 from trident.testing import Recorder, Ros, eventually, program
-
-
-def free_udp_ports(count: int) -> list[int]:
-    """Ports of loopback that nobody has now."""
-    sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(count)]
-    for one in sockets:
-        one.bind(("127.0.0.1", 0))
-    ports = [int(one.getsockname()[1]) for one in sockets]
-    for one in sockets:
-        one.close()
-    return ports
+from trident_base.ports import free_port
 
 
 class Vehicle:
@@ -37,7 +26,7 @@ class Vehicle:
             battery: filling, 0 to 1.
             launch_file: of mavros that starts the node; empty: without one.
         """
-        own, far = free_udp_ports(2)
+        own, far = free_port(), free_port()
         self.fcu_url = f"udp://:{own}@127.0.0.1:{far}"
         vehicle = ros.launch(
             [program("mavros", "mavros_udp_vehicle"), kind, f"udp://:{far}@:{own}", str(battery)]

@@ -17,9 +17,7 @@ constexpr double kProgressPoll_s = 1.0;  // a vehicle that is busy is asked this
 
 std::int32_t whole(double value, const Command& command) {
   if (!std::isfinite(value)) return std::numeric_limits<std::int32_t>::max();
-  const double scale = !has_place(command.command)      ? 1.0
-                       : is_global_frame(command.frame) ? 1e7
-                                                        : 1e4;
+  const double scale = scale_of_place(command.command, command.frame);
   return static_cast<std::int32_t>(
       std::lround(std::clamp(value * scale, -2147483647.0, 2147483647.0)));
 }

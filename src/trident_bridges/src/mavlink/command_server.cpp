@@ -39,7 +39,7 @@ Received read_long(const mavlink_command_long_t& payload) {
 double place(std::int32_t value, const mavlink_command_int_t& payload) {
   if (!has_place(payload.command)) return value;
   if (value == kNotGiven) return std::numeric_limits<double>::quiet_NaN();
-  return value / (is_global_frame(payload.frame) ? 1e7 : 1e4);
+  return value / scale_of_place(payload.command, payload.frame);
 }
 
 Received read_int(const mavlink_command_int_t& payload) {

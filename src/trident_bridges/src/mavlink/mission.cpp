@@ -90,6 +90,12 @@ bool has_place(std::uint16_t command) {
   }
 }
 
+double scale_of_place(std::uint16_t command, std::uint8_t frame) {
+  constexpr double kPerDegree = 1e7, kPerMeter = 1e4;
+  if (!has_place(command)) return 1.0;
+  return is_global_frame(frame) ? kPerDegree : kPerMeter;
+}
+
 MissionVerdict check_place(const MissionItem& item) {
   if (!has_place(item.command)) return {};
   const auto text = [](double degrees, const char* what, const char* limit) {

@@ -48,26 +48,44 @@ void ParameterClient::request_missing() {
 }
 
 void ParameterClient::set(const std::string& name, double value, SimTime now, Done done) {
-  if (set_) {
-    const Done replaced = std::move(set_->done);
-    set_.reset();
-    if (replaced) replaced(false, "replaced by a newer one");
-  }
-  const auto known = parameters_.find(name);
-  const auto type = known == parameters_.end() ? ParameterType::kReal32 : known->second.type;
-  set_ = Set{name, value, type, {}, std::move(done)};
-  set_->timer.start(now);
+  sets_.push_back({name, value, ParameterType::kReal32, {}, std::move(done)});
+  if (sets_.size() == 1) begin_set(now);
+}
+
+void ParameterClient::begin_set(SimTime now) {
+  Set& set = sets_.front();
+  const auto known = parameters_.find(set.name);
+  if (known != parameters_.end()) set.type = known->second.type;
+  set.timer.start(now);
   send_set();
 }
 
 void ParameterClient::send_set() {
+  const Set& set = sets_.front();
   mavlink_param_set_t payload{};
   payload.target_system = target_.system;
   payload.target_component = target_.component;
-  put_parameter_name(set_->name, payload.param_id);
-  payload.param_type = static_cast<std::uint8_t>(set_->type);
-  payload.param_value = encode_parameter(set_->value, set_->type, encoding_);
+  put_parameter_name(set.name, payload.param_id);
+  payload.param_type = static_cast<std::uint8_t>(set.type);
+  payload.param_value = encode_parameter(set.value, set.type, encoding_);
   send_(pack(payload, self_));
+}
+
+/// The next one is sent before this one's caller hears of it, who may set another.
+void ParameterClient::end_set(bool is_good, const std::string& reason, SimTime now) {
+  const Set set = std::move(sets_.front());
+  sets_.pop_front();
+  if (!sets_.empty()) begin_set(now);
+  if (set.done) set.done(is_good, reason);
+}
+
+void ParameterClient::cancel(const std::string& reason) {
+  const auto fetch = std::exchange(fetch_, std::nullopt);
+  const auto sets = std::exchange(sets_, {});
+  if (fetch && fetch->done) fetch->done(false, reason);
+  for (const Set& set : sets) {
+    if (set.done) set.done(false, reason);
+  }
 }
 
 bool ParameterClient::handle(const Message& message, SimTime now) {
@@ -79,7 +97,7 @@ bool ParameterClient::handle(const Message& message, SimTime now) {
   parameter.value = decode_parameter(payload.param_value, parameter.type, encoding_);
   parameters_[parameter.name] = parameter;
   if (fetch_) note_fetched(payload.param_index, payload.param_count, now);
-  if (set_ && set_->name == parameter.name) note_set(parameter);
+  if (!sets_.empty() && sets_.front().name == parameter.name) note_set(parameter, now);
   return true;
 }
 
@@ -93,16 +111,15 @@ void ParameterClient::note_fetched(std::size_t index, std::size_t count, SimTime
   if (done) done(true, "");
 }
 
-void ParameterClient::note_set(const Parameter& parameter) {
-  const double tolerance = 1e-6 * std::max(1.0, std::abs(set_->value));
-  const bool is_set = std::abs(parameter.value - set_->value) <= tolerance;
+void ParameterClient::note_set(const Parameter& parameter, SimTime now) {
+  const Set& set = sets_.front();
+  const double tolerance = 1e-6 * std::max(1.0, std::abs(set.value));
+  const bool is_set = std::abs(parameter.value - set.value) <= tolerance;
   // The value from before may have been in the air.
-  if (!is_set && set_->timer.tries() < kTriesToBelieve) return;
-  const Set set = *std::move(set_);
-  set_.reset();
-  if (!set.done) return;
-  set.done(is_set,
-           is_set ? "" : "parameter " + set.name + " stays at " + std::to_string(parameter.value));
+  if (!is_set && set.timer.tries() < kTriesToBelieve) return;
+  const std::string stays =
+      "parameter " + set.name + " stays at " + std::to_string(parameter.value);
+  end_set(is_set, is_set ? "" : stays, now);
 }
 
 void ParameterClient::update(SimTime now) {
@@ -120,14 +137,15 @@ void ParameterClient::update(SimTime now) {
     fetch_->asked = now;
     fetch_->count == 0 ? request_list() : request_missing();
   }
-  if (set_ && set_->timer.waited_s(now) >= kSilence_s) {
-    const Set set = *std::move(set_);
-    set_.reset();
-    if (set.done)
-      set.done(false, "parameter " + set.name + ": system " + std::to_string(target_.system) +
-                          " did not answer for 10 s");
-  } else if (set_ && set_->timer.is_due(now)) {
-    set_->timer.retry(now);
+  if (sets_.empty()) return;
+  Set& set = sets_.front();
+  if (set.timer.waited_s(now) >= kSilence_s) {
+    end_set(false,
+            "parameter " + set.name + ": system " + std::to_string(target_.system) +
+                " did not answer for 10 s",
+            now);
+  } else if (set.timer.is_due(now)) {
+    set.timer.retry(now);
     send_set();
   }
 }

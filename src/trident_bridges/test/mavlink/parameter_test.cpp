@@ -104,6 +104,40 @@ TEST_P(Parameters, AValueOutOfRangeStaysAndBothEndsHearWhy) {
   EXPECT_EQ(pair.server.find("REAL_3")->value, 1.5);
 }
 
+TEST_P(Parameters, ValuesAreSetOneAfterTheOtherAndEachCallerHearsOfHis) {
+  ParameterPair pair(0.3, GetParam());
+  std::vector<std::string> ended;
+  const auto note = [&](const std::string& name) {
+    return [&ended, name](bool success, const std::string&) {
+      ended.push_back(name + (success ? " set" : " not set"));
+    };
+  };
+  pair.client.set("REAL_1", 1.0, pair.link.now(), [&](bool success, const std::string&) {
+    note("REAL_1")(success, "");
+    pair.client.set("REAL_2", 2.0, pair.link.now(), pair.done());
+  });
+  pair.client.set("REAL_3", 3.0, pair.link.now(), note("REAL_3"));
+  pair.run();
+  EXPECT_TRUE(pair.succeeded.value_or(false)) << pair.reason;
+  EXPECT_EQ(ended, (std::vector<std::string>{"REAL_1 set", "REAL_3 set"}));
+  EXPECT_EQ(pair.server.find("REAL_2")->value, 2.0);
+}
+
+TEST_P(Parameters, WhatIsCancelledEnds) {
+  ParameterPair pair(1.0, GetParam());
+  std::vector<std::string> reasons;
+  const auto note = [&](bool success, const std::string& reason) {
+    EXPECT_FALSE(success);
+    reasons.push_back(reason);
+  };
+  pair.client.fetch(pair.link.now(), note);
+  pair.client.set("REAL_1", 1.0, pair.link.now(), note);
+  pair.client.set("REAL_2", 2.0, pair.link.now(), note);
+  pair.client.cancel("it is gone");
+  EXPECT_EQ(reasons, std::vector<std::string>(3, "it is gone"));
+  EXPECT_FALSE(pair.client.is_busy());
+}
+
 TEST(ParameterEncoding, WholeNumbersOfPx4KeepAllTheirBits) {
   const double value = 16'777'217;  // is no float
   const auto there_and_back = [&](ParameterEncoding encoding) {

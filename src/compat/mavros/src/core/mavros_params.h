@@ -147,13 +147,12 @@ struct SetpointParams {
 
 /// Of the plugin command.
 struct CommandParams {
-  bool use_comp_id_system_control = false;  ///< commands go to component 250
+  bool use_comp_id_system_control = false;  ///< has no effect
 
   /// Lists the fields for the parameter reader and the reference.
   template <class Archive>
   void visit(Archive& ar) {
-    ar.field("use_comp_id_system_control", use_comp_id_system_control,
-             "commands go to component 250");
+    ar.field("use_comp_id_system_control", use_comp_id_system_control, "kept for files");
   }
 };
 

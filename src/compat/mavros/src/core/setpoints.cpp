@@ -9,10 +9,12 @@
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 #include "trident_bridges/mavlink/frames.h"
+#include "trident_bridges/vehicle/geo_frame.h"
 
 namespace trident::mavros {
 namespace {
 
+using bridges::mavlink::is_body_frame;
 using bridges::mavlink::swap_attitude;
 using bridges::mavlink::swap_body;
 using bridges::mavlink::swap_world;
@@ -25,14 +27,12 @@ constexpr unsigned kForceBit = 512, kYaw = 1024, kYawRate = 2048;
 constexpr unsigned kRates = 7, kThrust = 64, kAttitude = 128;
 constexpr double kUnitsPerDegree = 1e7;
 
-bool is_body(std::uint8_t frame) {
-  return frame == MAV_FRAME_BODY_NED || frame == MAV_FRAME_BODY_OFFSET_NED ||
-         frame == MAV_FRAME_BODY_FRD;
-}
 Eigen::Vector3d swap(const Eigen::Vector3d& v, std::uint8_t frame) {
-  return is_body(frame) ? swap_body(v) : swap_world(v);
+  return is_body_frame(frame) ? swap_body(v) : swap_world(v);
 }
-double swap_yaw_of(double yaw, std::uint8_t frame) { return is_body(frame) ? -yaw : swap_yaw(yaw); }
+double swap_yaw_of(double yaw, std::uint8_t frame) {
+  return is_body_frame(frame) ? -yaw : swap_yaw(yaw);
+}
 
 template <class Payload>
 void write_motion(const LocalTarget& target, std::uint8_t frame, Payload& payload) {
@@ -91,7 +91,8 @@ LocalTarget acceleration_target(bool is_force) {
 }
 
 bool is_local_frame(std::uint8_t frame) {
-  return frame == MAV_FRAME_LOCAL_NED || frame == MAV_FRAME_LOCAL_OFFSET_NED || is_body(frame);
+  return frame == MAV_FRAME_LOCAL_NED || frame == MAV_FRAME_LOCAL_OFFSET_NED ||
+         is_body_frame(frame);
 }
 
 std::uint8_t frame_of_name(const std::string& name) {

@@ -114,7 +114,9 @@ void VehicleSide::command(const bridges::mavlink::Command& command, bool is_for_
   commands_.send(to, command, asked, [this, asked, done = std::move(done)](auto outcome) {
     const bool is_refused =
         outcome.is_answered && outcome.reply.result != bridges::mavlink::CommandResult::kAccepted;
-    if (!outcome.is_answered) outcome.reply.reason = "the vehicle does not answer";
+    if (!outcome.is_answered && outcome.reply.reason.empty()) {
+      outcome.reply.reason = "the vehicle does not answer";
+    }
     if (!is_refused) return done(outcome);
     explain(outcome, asked, done);
   });

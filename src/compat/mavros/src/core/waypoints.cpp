@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/waypoints.h"
 
+#include <cmath>
 #include <cstdint>
 
 #include "core/conversions.h"
+#include "trident_base/string_util.h"
 
 namespace trident::mavros {
 namespace {
@@ -17,6 +19,20 @@ double units_of_frame(std::uint8_t frame) {
 }
 
 }  // namespace
+
+std::string problem_of(const mavros_msgs::Waypoint& waypoint) {
+  if (!bridges::mavlink::has_place(waypoint.command)) return "";
+  constexpr double kMaxLatitude = 90.0, kMaxLongitude = 180.0, kMaxMeters = 2e5;
+  const bool is_global = bridges::mavlink::is_global_frame(waypoint.frame);
+  const double max_x = is_global ? kMaxLatitude : kMaxMeters;
+  const double max_y = is_global ? kMaxLongitude : kMaxMeters;
+  const auto text = [](const char* what, double value, double limit) {
+    return std::string(what) + " is " + number_text(value) + ", legal: +-" + number_text(limit);
+  };
+  if (!(std::abs(waypoint.x_lat) <= max_x)) return text("x_lat", waypoint.x_lat, max_x);
+  if (!(std::abs(waypoint.y_long) <= max_y)) return text("y_long", waypoint.y_long, max_y);
+  return "";
+}
 
 bridges::mavlink::MissionItem to_item(const mavros_msgs::Waypoint& waypoint) {
   bridges::mavlink::MissionItem item;

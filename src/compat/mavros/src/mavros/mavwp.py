@@ -60,16 +60,24 @@ def _items() -> list[Item]:
         message = rospy.wait_for_message(topic, WaypointList, _LIST_LIMIT_S)
     except rospy.ROSException as error:
         raise ToolError(f"no list on {topic}: {error}") from error
+    return _items_of(message)
+
+
+def _items_of(message: WaypointList) -> list[Item]:
     return [_to_item(waypoint) for waypoint in message.waypoints]
 
 
 def _show(a: argparse.Namespace) -> None:
     if a.pull:
         _pull()
-    print(format_mission(_items()), end="")
-    while a.follow and not rospy.is_shutdown():
-        rospy.wait_for_message(mavros.get_topic("mission", "waypoints"), WaypointList)
+    if not a.follow:
         print(format_mission(_items()), end="")
+        return
+    topic = mavros.get_topic("mission", "waypoints")  # latched: the first is that of now
+    rospy.Subscriber(
+        topic, WaypointList, lambda list_: print(format_mission(_items_of(list_)), end="")
+    )
+    rospy.spin()
 
 
 def _load(a: argparse.Namespace) -> None:

@@ -23,8 +23,6 @@ namespace {
 
 using Command = bridges::mavlink::Command;
 
-constexpr double kPerDegree = 1e7, kPerMeter = 1e4;  // x and y of COMMAND_INT
-
 Command long_command(std::uint16_t number, std::array<double, 7> params) {
   Command command;
   command.command = number;
@@ -92,7 +90,7 @@ class CommandPlugin : public Plugin {
            reply, CommandLong::Response(), q.broadcast != 0U);
     });
     hub_.ros.serve_waiting<CommandInt>("cmd/command_int", [this](const auto& q, auto reply) {
-      const double unit = bridges::mavlink::is_global_frame(q.frame) ? kPerDegree : kPerMeter;
+      const double unit = bridges::mavlink::scale_of_place(q.command, q.frame);
       Command command = long_command(
           q.command, {q.param1, q.param2, q.param3, q.param4, q.x / unit, q.y / unit, q.z});
       command.is_int = true;

@@ -191,7 +191,9 @@ class GpsRtk : public Plugin {
       return;
     }
     const bool is_fragmented = data.size() > kFragment;
-    for (std::size_t i = 0; i * kFragment < data.size(); ++i) {
+    // A fragment that is not full ends the message, or the fourth: an empty one, if need be.
+    const std::size_t count = is_fragmented ? data.size() / kFragment + 1 : 1;
+    for (std::size_t i = 0; i < std::min(count, kFragments); ++i) {
       mavlink_gps_rtcm_data_t payload{};
       const std::size_t size = std::min(kFragment, data.size() - i * kFragment);
       payload.flags = static_cast<std::uint8_t>((is_fragmented ? 1U : 0U) | i << 1U |

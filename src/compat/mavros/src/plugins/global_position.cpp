@@ -110,7 +110,7 @@ class GlobalPosition : public Plugin {
 
   void on_gps(const mavlink_gps_raw_int_t& p) {
     if (p.alt_ellipsoid != 0) {
-      hub_.known.geoid_separation_m = (p.alt_ellipsoid - p.alt) * kMillimeter;
+      hub_.known.geoid_separation_m = (double{p.alt_ellipsoid} - p.alt) * kMillimeter;
     }
     NavSatFix fix;
     fix.header = header(vehicle_.stamp_us(p.time_usec));
@@ -120,7 +120,7 @@ class GlobalPosition : public Plugin {
     fix.longitude = p.lon * kLatLonUnit;
     fix.altitude = p.alt * kMillimeter + hub_.known.geoid_separation_m;
     fill_covariance(p, fix);
-    newest_covariance_ = fix;
+    newest_fix_ = fix;
     raw_fix_->publish(fix);
     std_msgs::UInt32 satellites;
     satellites.data = p.satellites_visible;
@@ -128,6 +128,7 @@ class GlobalPosition : public Plugin {
     if (p.vel == kUnknown16 || p.cog == kUnknown16) return;
     geometry_msgs::TwistStamped velocity;
     velocity.header = fix.header;
+    velocity.header.frame_id = params_.frame_id;  // its parts are east and north
     const double speed = p.vel * kCentimeter, course = p.cog * kCentimeter * kDegree;
     velocity.twist.linear.x = speed * std::sin(course);
     velocity.twist.linear.y = speed * std::cos(course);
@@ -151,7 +152,7 @@ class GlobalPosition : public Plugin {
   }
 
   void on_global(const mavlink_global_position_int_t& p) {
-    NavSatFix fix = newest_covariance_;
+    NavSatFix fix = newest_fix_.value_or(NavSatFix());  // its status and covariance
     fix.header = header(vehicle_.stamp_ms(p.time_boot_ms));
     fix.latitude = p.lat * kLatLonUnit;
     fix.longitude = p.lon * kLatLonUnit;
@@ -169,6 +170,9 @@ class GlobalPosition : public Plugin {
 
   void publish_local(const NavSatFix& fix, const mavlink_global_position_int_t& p) {
     const GeoPlace place{fix.latitude, fix.longitude, p.alt * kMillimeter};
+    // Without a fix latitude and longitude are 0, which would be the origin from then on.
+    const bool has_fix = newest_fix_ && newest_fix_->status.status != NavSatStatus::STATUS_NO_FIX;
+    if (!frame_ && !has_fix) return;
     if (!frame_) frame_.emplace(place);
     Eigen::Vector3d at = frame_->to_world(place);
     if (params_.use_relative_alt) at.z() = p.relative_alt * kMillimeter;
@@ -223,7 +227,7 @@ class GlobalPosition : public Plugin {
   ros::Publisher origin_;
   std::unique_ptr<bridges::NodePublisher<geometry_msgs::PoseStamped>> offset_;
   std::optional<GeoFrame> frame_;
-  NavSatFix newest_covariance_;
+  std::optional<NavSatFix> newest_fix_;  ///< of the receiver
 };
 
 /// Where the vehicle returns to.

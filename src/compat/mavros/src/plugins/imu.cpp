@@ -42,10 +42,9 @@ class ImuPlugin : public Plugin {
     on<mavlink_highres_imu_t>(vehicle_, [this](const auto& p) { on_highres(p); });
     on<mavlink_raw_imu_t>(vehicle_, [this](const auto& p) { on_raw(p); });
     on<mavlink_scaled_imu_t>(vehicle_, [this](const auto& p) {
-      if (!has_highres_) on_scaled(vehicle_.stamp_ms(p.time_boot_ms), p, kMilliG);
-    });
-    on<mavlink_scaled_imu2_t>(vehicle_, [this](const auto& p) {
-      if (!has_highres_) on_scaled(vehicle_.stamp_ms(p.time_boot_ms), p, kMilliG);
+      if (has_highres_) return;
+      has_scaled_ = true;
+      publish_scaled(vehicle_.stamp_ms(p.time_boot_ms), p, kMilliG);
     });
     on<mavlink_scaled_pressure_t>(vehicle_, [this](const auto& p) { on_pressure(p); });
   }
@@ -133,11 +132,6 @@ class ImuPlugin : public Plugin {
   void on_raw(const mavlink_raw_imu_t& p) {
     if (has_highres_ || has_scaled_) return;
     publish_scaled(vehicle_.stamp_us(p.time_usec), p, vehicle_.is_px4() ? 0.0 : kMilliG);
-  }
-  template <class Payload>
-  void on_scaled(const ros::Time& stamp, const Payload& p, double unit) {
-    has_scaled_ = true;
-    publish_scaled(stamp, p, unit);
   }
   template <class Payload>
   void publish_scaled(const ros::Time& stamp, const Payload& p, double unit) {

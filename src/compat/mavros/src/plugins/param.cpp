@@ -11,6 +11,7 @@
 #include <deque>
 #include <optional>
 
+#include "core/conversions.h"
 #include "core/typed_messages.h"
 #include "plugins/plugins.h"
 #include "trident_bridges/mavlink/parameter_client.h"
@@ -27,12 +28,17 @@ using mavros_msgs::ParamPush;
 using mavros_msgs::ParamSet;
 using VehicleParameter = bridges::mavlink::Parameter;
 
+/// Of the types that are whole numbers of up to 32 bits; unknown types are not among them.
+bool is_whole(ParameterType type) {
+  return type >= ParameterType::kUint8 && type <= ParameterType::kInt32;
+}
+
 mavros_msgs::ParamValue value_of(const VehicleParameter& parameter) {
   mavros_msgs::ParamValue value;
-  if (parameter.type == ParameterType::kReal32) {
-    value.real = parameter.value;
+  if (is_whole(parameter.type)) {
+    value.integer = to_whole<std::int32_t>(parameter.value);
   } else {
-    value.integer = static_cast<std::int64_t>(parameter.value);
+    value.real = parameter.value;
   }
   return value;
 }
@@ -43,8 +49,8 @@ double number_of(const mavros_msgs::ParamValue& value) {
 
 /// A parameter as the parameter server has it.
 XmlRpc::XmlRpcValue to_xml(const VehicleParameter& parameter) {
-  if (parameter.type == ParameterType::kReal32) return XmlRpc::XmlRpcValue(parameter.value);
-  return XmlRpc::XmlRpcValue(static_cast<int>(parameter.value));
+  if (!is_whole(parameter.type)) return XmlRpc::XmlRpcValue(parameter.value);
+  return XmlRpc::XmlRpcValue(to_whole<std::int32_t>(parameter.value));
 }
 
 std::optional<double> from_xml(XmlRpc::XmlRpcValue& value) {
@@ -102,6 +108,7 @@ class ParamPlugin : public Plugin {
   void begin() {
     const auto encoding =
         vehicle_.is_px4() ? ParameterEncoding::kBytewise : ParameterEncoding::kCast;
+    if (client_) client_->cancel("the vehicle has begun again");
     client_ = std::make_unique<ParameterClient>(
         vehicle_.self(), vehicle_.target(),
         [this](const Message& message) { vehicle_.send(message); }, encoding);

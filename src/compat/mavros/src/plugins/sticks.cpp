@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/conversions.h"
 #include "core/typed_messages.h"
 #include "plugins/plugins.h"
 

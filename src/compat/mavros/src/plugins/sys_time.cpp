@@ -55,7 +55,9 @@ class SysTime : public Plugin {
   }
 
   void on_system_time(const mavlink_system_time_t& p) {
-    if (p.time_unix_usec == 0) return;  // the vehicle does not know it
+    constexpr std::uint64_t kPerSecond_us = 1'000'000;
+    if (p.time_unix_usec == 0) return;                          // the vehicle does not know it
+    if (p.time_unix_usec / kPerSecond_us > UINT32_MAX) return;  // beyond ros::Time
     sensor_msgs::TimeReference message;
     message.header.stamp = ros::Time::now();
     message.time_ref.fromNSec(p.time_unix_usec * 1000);

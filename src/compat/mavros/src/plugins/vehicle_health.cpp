@@ -47,8 +47,9 @@ void VehicleHealth::on_status(const Message& raw) {
   message.errors_count4 = status.errors_count4;
   status_->publish(message);
   if (has_battery_status_) return;
-  publish_battery(status.voltage_battery, status.current_battery, status.battery_remaining, {},
-                  "id0");
+  const double voltage_mV =
+      status.voltage_battery == UINT16_MAX ? kNotKnown : status.voltage_battery;
+  publish_battery(voltage_mV, status.current_battery, status.battery_remaining, {}, "id0");
 }
 
 void VehicleHealth::on_battery(const Message& raw) {
@@ -62,6 +63,7 @@ void VehicleHealth::on_battery(const Message& raw) {
     cells.push_back(static_cast<float>(cell * kMilli));
     voltage_mV += cell;
   }
+  if (cells.empty()) voltage_mV = kNotKnown;
   publish_battery(voltage_mV, status.current_battery, status.battery_remaining, cells,
                   "id" + std::to_string(status.id));
 }
@@ -101,7 +103,8 @@ void VehicleHealth::publish_diagnostics() {
                           : "sensors that are not healthy: " + std::to_string(sensors_.bad));
     const auto& limits = hub_.params.sys.min_voltage;
     const double limit_V = limits.empty() ? 0.0 : limits.front();
-    add("Battery", voltage_V_ >= limit_V,
+    add("Battery", !(voltage_V_ < limit_V),  // an unknown one is no reason to warn
+
         number_text(voltage_V_) + " V, limit " + number_text(limit_V) + " V");
   }
   diagnostics_.publish(array);

@@ -121,6 +121,11 @@ class ListPlugin : public Plugin {
     const std::size_t end = request.start_index + request.waypoints.size();
     if (request.start_index == 0 || end > list.size()) list.resize(end);
     for (std::size_t i = 0; i < request.waypoints.size(); ++i) {
+      const std::string problem = problem_of(request.waypoints[i]);
+      if (!problem.empty()) {
+        refuse("waypoint " + std::to_string(i) + ": " + problem);
+        return reply(WaypointPush::Response());
+      }
       list[request.start_index + i] = to_item(request.waypoints[i]);
     }
     const auto count = static_cast<std::uint32_t>(request.waypoints.size());

@@ -74,6 +74,9 @@ using Mission = std::vector<MissionItem>;
 bool is_global_frame(std::uint8_t frame);
 /// Whether the command's x, y and z are a place.
 bool has_place(std::uint16_t command);
+/// By how much x and y of COMMAND_INT are multiplied on the wire: a degree, a meter, or one where
+/// they are no place.
+double scale_of_place(std::uint16_t command, std::uint8_t frame);
 /// Refuses an item with a place that is no number or not on the earth.
 MissionVerdict check_place(const MissionItem& item);
 

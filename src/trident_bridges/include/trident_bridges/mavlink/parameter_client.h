@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -27,15 +28,17 @@ class ParameterClient {
 
   /// Reads all parameters.
   void fetch(SimTime now, Done done);
-  /// Sets a value. An unknown name is set as a real number. One at a time; an older one that was
-  /// not answered ends as replaced.
+  /// Sets a value, once those before are done. An unknown name is set as a real number.
   void set(const std::string& name, double value, SimTime now, Done done);
+
+  /// Ends all that is waited for, for that reason.
+  void cancel(const std::string& reason);
 
   /// True when the message is a PARAM_VALUE of the vehicle.
   bool handle(const Message& message, SimTime now);
   /// Repeats and gives up; to be called at least every 50 ms while is_busy().
   void update(SimTime now);
-  bool is_busy() const { return fetch_.has_value() || set_.has_value(); }  ///< waits for answers
+  bool is_busy() const { return fetch_.has_value() || !sets_.empty(); }  ///< waits for answers
   /// All that were heard, by name.
   const std::map<std::string, Parameter>& parameters() const { return parameters_; }
 
@@ -56,16 +59,18 @@ class ParameterClient {
 
   void request_list();
   void request_missing();
+  void begin_set(SimTime now);
   void send_set();
+  void end_set(bool is_good, const std::string& reason, SimTime now);
   void note_fetched(std::size_t index, std::size_t count, SimTime now);
-  void note_set(const Parameter& parameter);
+  void note_set(const Parameter& parameter, SimTime now);
 
   Address self_, target_;
   MessageSink send_;
   ParameterEncoding encoding_;
   std::map<std::string, Parameter> parameters_;
   std::optional<Fetch> fetch_;
-  std::optional<Set> set_;
+  std::deque<Set> sets_;  // the first one was sent
 };
 
 }  // namespace trident::bridges::mavlink
