@@ -110,7 +110,7 @@ class GlobalPosition : public Plugin {
 
   void on_gps(const mavlink_gps_raw_int_t& p) {
     if (p.alt_ellipsoid != 0) {
-      hub_.known.geoid_separation_m = (double{p.alt_ellipsoid} - p.alt) * kMillimeter;
+      hub_.known.geoid_separation_m = (static_cast<double>(p.alt_ellipsoid) - p.alt) * kMillimeter;
     }
     NavSatFix fix;
     fix.header = header(vehicle_.stamp_us(p.time_usec));
