@@ -90,6 +90,13 @@ std::int64_t calendar_seconds(const UtcTime& utc) {
          utc.second;
 }
 
+/// The inverse of calendar_seconds().
+UtcTime calendar_of(std::int64_t seconds) {
+  const std::int64_t days = floor_div(seconds, kSecondsPerDay);
+  const auto of_day = static_cast<int>(seconds - days * kSecondsPerDay);
+  return {civil_from_days(days), of_day / 3'600, of_day / 60 % 60, of_day % 60, 0};
+}
+
 }  // namespace
 
 bool is_valid(const CivilDate& date) {
@@ -143,19 +150,26 @@ UtcTime utc_of(std::int64_t gps_ns) {
   const bool is_leap = std::binary_search(starts.begin(), starts.end(), second);
   // Within a leap second the calendar is shown of the second before, and then 60.
   const std::int64_t shown = second - leap_seconds_at(gps_ns);
-  const std::int64_t days = floor_div(shown, kSecondsPerDay);
-  const auto of_day = static_cast<int>(shown - days * kSecondsPerDay);
-  UtcTime utc;
-  utc.date = civil_from_days(days + kGpsEpochDays);
-  utc.hour = of_day / 3'600;
-  utc.minute = of_day / 60 % 60;
-  utc.second = of_day % 60 + (is_leap ? 1 : 0);
+  UtcTime utc = calendar_of(shown + kGpsEpochDays * kSecondsPerDay);
+  utc.second += is_leap ? 1 : 0;
   utc.nanosecond = static_cast<std::int32_t>(gps_ns - second * kNsPerSecond);
   return utc;
 }
 
 std::int64_t unix_ns_of(const UtcTime& utc) {
   return calendar_seconds(utc) * kNsPerSecond + utc.nanosecond;
+}
+
+UtcTime utc_of_unix(std::int64_t unix_ns) {
+  const std::int64_t second = floor_div(unix_ns, kNsPerSecond);
+  UtcTime utc = calendar_of(second);
+  utc.nanosecond = static_cast<std::int32_t>(unix_ns - second * kNsPerSecond);
+  return utc;
+}
+
+GpsTime gps_time_of(std::int64_t gps_ns) {
+  const std::int64_t week = floor_div(gps_ns, kNsPerWeek);
+  return {static_cast<int>(week), gps_ns - week * kNsPerWeek};
 }
 
 std::string to_text(const UtcTime& utc) {
@@ -191,12 +205,6 @@ UtcClock::UtcClock(const std::string& utc_start) : start_gps_ns_(0) {
   if (start_gps_ns_ < 0 || start.date.year > 2079) {
     throw Error("utc_start is " + utc_start + ", legal: from 1980-01-06 to 2079-12-31");
   }
-}
-
-GpsTime UtcClock::gps_at(SimTime time) const {
-  const std::int64_t gps_ns = gps_ns_at(time);
-  const std::int64_t week = floor_div(gps_ns, kNsPerWeek);
-  return {static_cast<int>(week), gps_ns - week * kNsPerWeek};
 }
 
 }  // namespace trident

@@ -67,6 +67,18 @@ TEST(UtcClock, SimulatedTimeIsFoundAgainFromUtc) {
   }
 }
 
+TEST(UtcClock, UnixTimeIsFoundAgainFromUtc) {
+  for (const std::int64_t ns :
+       {std::int64_t{0}, std::int64_t{-1}, std::int64_t{1'767'225'600'500'000'000},
+        std::int64_t{1'483'228'799'999'999'999}}) {
+    EXPECT_EQ(unix_ns_of(utc_of_unix(ns)), ns);
+  }
+  EXPECT_EQ(to_text(utc_of_unix(1'767'225'600'500'000'000)), "2026-01-01T00:00:00.5Z");
+  const GpsTime gps = gps_time_of(gps_ns_of(utc_of_unix(1'767'225'600'000'000'000)));
+  EXPECT_EQ(gps.week, 2399);
+  EXPECT_EQ(gps.time_of_week_ns, (4LL * 86'400 + 18) * 1'000'000'000);  // a Thursday, 18 s ahead
+}
+
 TEST(UtcClock, DaysAreCountedInBothDirections) {
   for (std::int64_t day = -150'000; day < 150'000; day += 17) {
     const CivilDate date = civil_from_days(day);

@@ -55,6 +55,10 @@ std::int64_t gps_ns_of(const UtcTime& utc);
 UtcTime utc_of(std::int64_t gps_ns);
 /// Nanoseconds of Unix time, which counts no leap seconds: second 60 is the next second 0.
 std::int64_t unix_ns_of(const UtcTime& utc);
+/// The inverse of unix_ns_of(), without leap seconds.
+UtcTime utc_of_unix(std::int64_t unix_ns);
+/// Week and time of week of an instant not before 1980.
+GpsTime gps_time_of(std::int64_t gps_ns);
 /// "2026-01-01T00:00:00Z", with as many decimals of a second as it needs.
 std::string to_text(const UtcTime& utc);
 /// The instant written as 2026-01-01T00:00:00Z, seconds with up to 9 decimals. Throws Error naming
@@ -74,7 +78,8 @@ class UtcClock {
 
   /// Leap seconds pass as they do on earth: a second 60 is given where there is one.
   UtcTime utc_at(SimTime time) const { return utc_of(gps_ns_at(time)); }
-  GpsTime gps_at(SimTime time) const;  ///< `time` not before 1980
+  /// `time` not before 1980.
+  GpsTime gps_at(SimTime time) const { return gps_time_of(gps_ns_at(time)); }
   std::int64_t gps_ns_at(SimTime time) const { return start_gps_ns_ + time.ns; }  ///< since 1980
   std::int64_t unix_ns_at(SimTime time) const { return unix_ns_of(utc_at(time)); }
   /// Simulated time at an instant of UTC; negative before utc_start.

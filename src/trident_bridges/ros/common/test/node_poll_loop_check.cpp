@@ -51,8 +51,7 @@ TEST_F(NodePollLoopTest, ATopicAndAnEndpointAreServedByOneThread) {
 }
 
 TEST_F(NodePollLoopTest, AServiceIsServedByTheLoop) {
-  ros::NodeHandle rare;
-  rare.setCallbackQueue(loop_.callback_queue());
+  ros::NodeHandle rare = loop_.served(node_);
   const auto thread = std::this_thread::get_id();
   using Service = std_srvs::SetBool;
   const ros::ServiceServer server = rare.advertiseService<Service::Request, Service::Response>(

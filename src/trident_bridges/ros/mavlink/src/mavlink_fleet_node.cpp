@@ -7,25 +7,13 @@
 #include <algorithm>
 
 #include "trident_base/error.h"
-#include "trident_base/utc_clock.h"
 #include "trident_base/yaml_config.h"
+#include "trident_bridges_ros/utc.h"
 
 namespace trident::bridges {
 namespace {
 
 constexpr double kLookEvery_s = 0.1;  // wall time
-
-ros::NodeHandle served_by(NodePollLoop& loop) {
-  ros::NodeHandle node;
-  node.setCallbackQueue(loop.callback_queue());
-  return node;
-}
-
-std::string utc_start() {
-  std::string start = UtcClock::kDefaultStart;
-  ros::param::get("/gazebo/utc_start", start);
-  return start;
-}
 
 }  // namespace
 
@@ -33,7 +21,7 @@ MavlinkFleetNode::MavlinkFleetNode(ros::NodeHandle& node, NodePollLoop& loop,
                                    const MavlinkNodeParams& params)
     : params_(params),
       loop_(loop),
-      rare_(served_by(loop)),
+      rare_(loop.served(ros::NodeHandle())),
       refusals_(rare_),
       not_repeatable_(rare_.advertise<std_msgs::String>("/gazebo/not_repeatable", 10, true)),
       frames_(params.world_frame) {
@@ -50,8 +38,8 @@ MavlinkFleetNode::MavlinkFleetNode(ros::NodeHandle& node, NodePollLoop& loop,
   router_ = std::make_unique<FleetRouter>(FleetRouter::Setup{file.router_port, params.allow_remote},
                                           loop.loop(), [this] { router_->deliver(); });
   parts_ = std::make_unique<FleetParts>(
-      FleetParts{params_, file.gcs_remote_port, utc_start(), loop, frames_, refusals_, *router_,
-                 [this](const std::string& text) { note_commanded(text); }});
+      FleetParts{params_, file.gcs_remote_port, read_utc_start(), loop, frames_, refusals_,
+                 *router_, [this](const std::string& text) { note_commanded(text); }});
   for (const mavlink::VehicleLinks& links : mavlink::resolve(file)) {
     vehicles_.push_back(std::make_unique<FleetVehicle>(links, *parts_));
   }

@@ -7,6 +7,7 @@
 
 #include "trident_base/angle.h"
 #include "trident_bridges/nmea/all_sentences.h"
+#include "trident_bridges_ros/utc.h"
 
 namespace trident::bridges {
 namespace {
@@ -50,7 +51,7 @@ AisExchange::AisExchange(ros::NodeHandle& node, NodePollLoop& loop, const AisExc
       channel_(node, params.topic) {
   message_.header.frame_id = ros::this_node::getName();
   reading_.receipt = [&loop, clock] {
-    return nmea::Receipt{loop.loop().now_s(), unix_ns_now(clock)};
+    return nmea::Receipt{loop.loop().now_s(), unix_ns_of(clock, ros::Time::now())};
   };
   reading_.events = this;
   reading_.refusals = hooks_.refusals;

@@ -13,6 +13,7 @@
 #include "trident_bridges_ros/nmea/navsat_output.h"
 #include "trident_bridges_ros/nmea/nmea_link.h"
 #include "trident_bridges_ros/node_poll_loop.h"
+#include "trident_bridges_ros/utc.h"
 #include "trident_ros/node_params.h"
 
 namespace trident::bridges {
@@ -22,18 +23,12 @@ constexpr std::uint32_t kSentenceQueueSize = 1000;
 
 /// What every driver has.
 struct Driver {
-  ros::NodeHandle node, rare;
+  ros::NodeHandle node;
   ros_utils::NodeParams params{ros::NodeHandle("~")};
   NodePollLoop loop;
-  UtcClock clock = read_utc_clock();
-  std::unique_ptr<ros_utils::Refusals> refusals = make_refusals();
-
- private:
-  /// Their timer is served by the loop.
-  std::unique_ptr<ros_utils::Refusals> make_refusals() {
-    rare.setCallbackQueue(loop.callback_queue());
-    return std::make_unique<ros_utils::Refusals>(rare);
-  }
+  UtcClock clock{read_utc_start()};
+  ros::NodeHandle rare = loop.served(node);
+  ros_utils::Refusals refusals{rare};
 };
 
 /// Runs `body` as a node of this name; an error ends it with its text and 1.
@@ -82,7 +77,7 @@ EndpointOptions serial_options(const NavsatSerialParams& own) {
 }
 
 nmea::Receipt receipt_now(Driver& driver) {
-  return {driver.loop.loop().now_s(), unix_ns_now(driver.clock)};
+  return {driver.loop.loop().now_s(), unix_ns_of(driver.clock, ros::Time::now())};
 }
 
 /// Reads a link and publishes what it says.
@@ -94,7 +89,7 @@ void publish_link(Driver& driver, const NavsatDriverParams& own, const EndpointO
     return receipt_now(driver);
   };
   hooks.events = &output;
-  hooks.refusals = driver.refusals.get();
+  hooks.refusals = &driver.refusals;
   NmeaLink link(options, read_params(own), hooks, true, driver.loop, driver.node);
   driver.loop.run();
 }
@@ -135,7 +130,7 @@ int nmea_topic_driver_main(int argc, char** argv) {
     NmeaReadHooks hooks;
     hooks.receipt = [&] { return receipt_now(driver); };
     hooks.events = &output;
-    hooks.refusals = driver.refusals.get();
+    hooks.refusals = &driver.refusals;
     SentenceReader reader("nmea_sentence", "its publishers", read_params(own), hooks);
     const auto subscription = driver.loop.subscribe<nmea_msgs::Sentence>(
         driver.node, "nmea_sentence", kSentenceQueueSize, [&](const nmea_msgs::Sentence& message) {
@@ -164,7 +159,7 @@ int nmea_topic_serial_reader_main(int argc, char** argv) {
       message.sentence = text_of(sentence);
       publisher.publish(message);
     };
-    hooks.refusals = driver.refusals.get();
+    hooks.refusals = &driver.refusals;
     NmeaLink link(serial_options(serial), read_params(own), hooks, true, driver.loop, driver.node);
     driver.loop.run();
   });

@@ -4,15 +4,10 @@
 
 #include <utility>
 
+#include "trident_bridges_ros/utc.h"
+
 namespace trident::bridges {
 namespace {
-
-/// A handle whose callbacks the loop calls.
-ros::NodeHandle served_by(NodePollLoop& loop) {
-  ros::NodeHandle node;
-  node.setCallbackQueue(loop.callback_queue());
-  return node;
-}
 
 /// The handle of the topics of what is read.
 ros::NodeHandle output_handle(const ros::NodeHandle& node, const std::string& name_space) {
@@ -37,7 +32,7 @@ NmeaNode::NmeaNode(ros::NodeHandle& node, NodePollLoop& loop, const NmeaNodePara
                    const UtcClock& clock)
     : loop_(loop),
       clock_(clock),
-      rare_(served_by(loop)),
+      rare_(loop.served(ros::NodeHandle())),
       refusals_(rare_),
       output_(output_handle(node, params.output), output_params(params)),
       sentences_(make_sentences(node, params)),
@@ -102,7 +97,7 @@ VehicleHooks NmeaNode::vehicle_hooks() {
 
 nmea::Receipt NmeaNode::receive() {
   output_.set_now();
-  return {loop_.loop().now_s(), unix_ns_now(clock_)};
+  return {loop_.loop().now_s(), unix_ns_of(clock_, ros::Time::now())};
 }
 
 void NmeaNode::pass_on(const nmea::Sentence& sentence) {

@@ -4,6 +4,7 @@
 
 #include "trident_base/error.h"
 #include "trident_bridges_ros/nmea/nmea_node.h"
+#include "trident_bridges_ros/utc.h"
 #include "trident_ros/node_params.h"
 
 int main(int argc, char** argv) {
@@ -16,7 +17,7 @@ int main(int argc, char** argv) {
     params.log_warnings();
     trident::bridges::NodePollLoop loop;
     loop.follow_clock(node, [](const ros::Time&) {});
-    NmeaNode bridge(node, loop, own, trident::bridges::read_utc_clock());
+    NmeaNode bridge(node, loop, own, trident::UtcClock(trident::bridges::read_utc_start()));
     loop.run();
   } catch (const trident::Error& error) {
     ROS_FATAL("%s", error.what());

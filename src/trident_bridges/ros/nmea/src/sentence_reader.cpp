@@ -40,23 +40,12 @@ void SentenceReader::on_problem(const nmea::Refusal& refusal, const nmea::Senten
   on_refusal(refusal, sentence.text());
 }
 
-std::int64_t unix_ns_now(const UtcClock& clock) {
-  const auto ns = static_cast<std::int64_t>(ros::Time::now().toNSec());
-  return ros::Time::isSimTime() ? clock.unix_ns_at({ns}) : ns;
-}
-
 std::string text_of(const nmea::Sentence& sentence) {
   constexpr const char* kDigits = "0123456789ABCDEF";
   std::string text(sentence.text());
   const unsigned sum = nmea::checksum_of(sentence.text().substr(1));
   text += {'*', kDigits[sum / 16], kDigits[sum % 16]};
   return text;
-}
-
-UtcClock read_utc_clock() {
-  std::string start = UtcClock::kDefaultStart;
-  ros::param::get("/gazebo/utc_start", start);
-  return UtcClock(start);
 }
 
 }  // namespace trident::bridges

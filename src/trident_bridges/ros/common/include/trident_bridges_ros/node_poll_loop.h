@@ -43,6 +43,12 @@ class NodePollLoop {
   /// For NodeHandle::setCallbackQueue(): its callbacks are called by this loop's thread.
   ros::CallbackQueueInterface* callback_queue() { return &queue_; }
 
+  /// A handle of the same namespace whose callbacks are called by this loop's thread.
+  ros::NodeHandle served(ros::NodeHandle node) {
+    node.setCallbackQueue(&queue_);
+    return node;
+  }
+
   /// Calls `handler` with each message until the result is destroyed. The object is the same for
   /// all messages, so that strings and arrays keep their memory; bytes that are no such message are
   /// logged and ignored. Within a handler nothing may be subscribed or unsubscribed. A topic can be

@@ -54,12 +54,7 @@ class SentenceReader : nmea::SentenceSink, nmea::ProblemSink {
   nmea::Receiver receiver_;
 };
 
-/// About what UTC it is: that of simulated time, or of the machine where time is not simulated
-/// [ns since 1970].
-std::int64_t unix_ns_now(const UtcClock& clock);
 /// A sentence with its checksum, without a line end.
 std::string text_of(const nmea::Sentence& sentence);
-/// The clock that /gazebo/utc_start sets. Throws Error naming it and what is legal.
-UtcClock read_utc_clock();
 
 }  // namespace trident::bridges
