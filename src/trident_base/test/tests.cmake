@@ -13,6 +13,7 @@ foreach(header IN LISTS trident_base_headers)
 endforeach()
 
 catkin_add_gtest(trident_base_test
+  test/angle_test.cpp
   test/vehicle/bicycle_odometry_test.cpp
   test/config/config_document_test.cpp
   test/config/config_error_test.cpp

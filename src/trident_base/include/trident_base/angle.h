@@ -19,6 +19,12 @@ inline double wrap_to_pi(double angle) {
   return wrapped == -kPi ? kPi : wrapped;
 }
 
+/// The same angle in [0, 360) degrees, as bearings are told [deg].
+inline double wrap_to_360(double angle_deg) {
+  const double wrapped = std::fmod(angle_deg, 360.0);
+  return wrapped < 0.0 ? std::fmod(wrapped + 360.0, 360.0) : wrapped;
+}
+
 /// The shortest turn that leads from angle `from` to angle `to`, in (-pi, pi] [rad].
 inline double angle_difference(double to, double from) { return wrap_to_pi(to - from); }
 

@@ -9,6 +9,7 @@
 
 #include "trident_bridges/mavlink/dialect.h"
 #include "trident_bridges/mavlink/mission.h"
+#include "trident_bridges/mavlink/whole_number.h"
 
 namespace trident::bridges::mavlink {
 namespace {
@@ -18,8 +19,7 @@ constexpr double kProgressPoll_s = 1.0;  // a vehicle that is busy is asked this
 std::int32_t whole(double value, const Command& command) {
   if (!std::isfinite(value)) return std::numeric_limits<std::int32_t>::max();
   const double scale = scale_of_place(command.command, command.frame);
-  return static_cast<std::int32_t>(
-      std::lround(std::clamp(value * scale, -2147483647.0, 2147483647.0)));
+  return to_whole<std::int32_t>(value * scale);
 }
 
 template <class Payload>

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "trident_bridges/mavlink/whole_number.h"
+
 namespace trident::bridges::mavlink {
 namespace {
 
@@ -60,8 +62,8 @@ ReceivedItem read_float_item(const mavlink_mission_item_t& payload) {
   } else if (!fits(y)) {
     received.verdict = {MissionResult::kInvalidParam6, "y is not a finite number of its range"};
   } else {
-    received.item.x = static_cast<std::int32_t>(std::lround(x));
-    received.item.y = static_cast<std::int32_t>(std::lround(y));
+    received.item.x = to_whole<std::int32_t>(x);
+    received.item.y = to_whole<std::int32_t>(y);
   }
   return received;
 }

@@ -17,8 +17,7 @@ constexpr std::uint32_t kAtAnchor = 1, kMoored = 5;
 
 std::optional<double> course_deg(const std::optional<double>& angle_rad) {
   if (!angle_rad) return std::nullopt;
-  const double degrees = std::fmod(rad_to_deg(*angle_rad), 360.0);
-  return degrees < 0.0 ? degrees + 360.0 : degrees;
+  return bearing_deg(*angle_rad);
 }
 
 AisMotion motion_of(const AisState& state, const UtcTime& utc) {

@@ -36,8 +36,7 @@ double hdop_of(int satellites) { return std::sqrt(6.0 / std::max(satellites, 1))
 double vdop_of(int satellites) { return std::sqrt(12.0 / std::max(satellites, 1)); }
 
 double course_deg_of(const GroundVelocity& velocity) {
-  const double course = rad_to_deg(std::atan2(velocity.east_m_s, velocity.north_m_s));
-  return course < 0.0 ? course + 360.0 : course;
+  return bearing_deg(std::atan2(velocity.east_m_s, velocity.north_m_s));
 }
 
 /// What RMC and VTG say of a velocity.
@@ -56,8 +55,7 @@ Motion motion_of(const std::optional<GroundVelocity>& velocity) {
 
 std::optional<double> magnetic_of(const std::optional<double>& true_deg, double variation_deg) {
   if (!true_deg) return std::nullopt;
-  const double magnetic = std::fmod(*true_deg - variation_deg, 360.0);
-  return magnetic < 0.0 ? magnetic + 360.0 : magnetic;
+  return wrap_to_360(*true_deg - variation_deg);
 }
 
 /// Puts the place of a fix into a sentence.

@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::size_t kNamesPerSentence = 4;
 
-/// [0, 360) degrees of a bearing in radians.
-double bearing_deg(double bearing_rad) {
-  const double degrees = std::fmod(rad_to_deg(bearing_rad), 360.0);
-  return degrees < 0.0 ? degrees + 360.0 : degrees;
-}
-
 double nautical_miles(double meters) { return meters / kMetersPerNauticalMile; }
 
 char flag(bool is_so) { return is_so ? 'A' : 'V'; }

@@ -16,11 +16,6 @@ namespace {
 
 constexpr double kPascalsPerBar = 1e5;
 
-double wrap_to_turn(double angle_deg) {
-  const double wrapped = std::fmod(angle_deg, 360.0);
-  return wrapped < 0.0 ? wrapped + 360.0 : wrapped;
-}
-
 std::string_view text_of(const FixedText<16>& text) { return text.view(); }
 
 bool is_named(std::string_view name, std::string_view wanted) {
@@ -70,7 +65,7 @@ double wind_factor(char unit) {
 
 std::optional<double> Magnetic::to_true_deg(double magnetic_deg) const {
   if (!variation_deg) return std::nullopt;
-  return wrap_to_turn(magnetic_deg + *variation_deg);
+  return wrap_to_360(magnetic_deg + *variation_deg);
 }
 
 void InstrumentReader::put_heading(const std::optional<double>& heading_deg) {
@@ -147,7 +142,7 @@ void InstrumentReader::read(const Mtw& mtw, const Receipt& /*receipt*/) {
 void InstrumentReader::put_wind(bool is_true, const std::optional<double>& angle_deg,
                                 const std::optional<double>& speed_m_s) {
   if (!angle_deg || !speed_m_s) return;
-  sink_.on_wind({is_true, *speed_m_s, deg_to_rad(wrap_to_turn(*angle_deg))});
+  sink_.on_wind({is_true, *speed_m_s, deg_to_rad(wrap_to_360(*angle_deg))});
 }
 
 void InstrumentReader::read(const Mwv& mwv, const Receipt& /*receipt*/) {

@@ -12,12 +12,6 @@ namespace {
 
 constexpr double kLongestGapS = 10.0;  ///< between samples of a speed that still make a distance
 
-/// [0, 360) degrees of an angle in radians.
-double turn_deg(double angle_rad) {
-  const double degrees = std::fmod(rad_to_deg(angle_rad), 360.0);
-  return degrees < 0.0 ? degrees + 360.0 : degrees;
-}
-
 double knots(double m_s) { return m_s / kMetersPerSecondPerKnot; }
 
 Measurement tilt(const char* name, double angle_rad) {
@@ -51,9 +45,9 @@ void InstrumentTalker::on_attitude(SimTime stamp, const Attitude& attitude) {
   attitude_ = attitude;
   const TalkerParams& params = sender_.params();
   const std::string& talker = params.talkers.heading;
-  const double heading_deg = turn_deg(attitude.heading_rad);
+  const double heading_deg = bearing_deg(attitude.heading_rad);
   const double magnetic_deg =
-      turn_deg(attitude.heading_rad - deg_to_rad(params.magnetic_variation_deg));
+      bearing_deg(attitude.heading_rad - deg_to_rad(params.magnetic_variation_deg));
   sender_.send_if_due<Hdt>(talker, stamp, [&] { return Hdt{heading_deg}; });
   sender_.send_if_due<Ths>(talker, stamp, [&] { return Ths{heading_deg, 'A'}; });
   sender_.send_if_due<Hdg>(talker, stamp, [&] {
@@ -83,7 +77,7 @@ void InstrumentTalker::on_water_velocity(SimTime stamp, const WaterVelocity& vel
   last_water_stamp_ = stamp;
   sender_.send_if_due<Vhw>(talker, stamp, [&] {
     Vhw vhw;
-    if (attitude_) vhw.heading_deg = turn_deg(attitude_->heading_rad);
+    if (attitude_) vhw.heading_deg = bearing_deg(attitude_->heading_rad);
     vhw.speed_knots = knots(velocity.ahead_m_s);
     vhw.speed_km_h = velocity.ahead_m_s * kKilometersPerHour;
     return vhw;
@@ -129,7 +123,7 @@ std::optional<WindEvent> InstrumentTalker::other_wind(const WindEvent& wind) con
   WindEvent other;
   other.is_true = !wind.is_true;
   other.speed_m_s = std::hypot(east, north);
-  other.angle_rad = deg_to_rad(turn_deg(std::atan2(east, north) - attitude_->heading_rad));
+  other.angle_rad = deg_to_rad(bearing_deg(std::atan2(east, north) - attitude_->heading_rad));
   return other;
 }
 
@@ -144,7 +138,8 @@ void InstrumentTalker::send_wind(SimTime stamp, const WindEvent& wind) {
   sender_.send_if_due<Mwd>(talker, stamp, [&] {
     const double from = wind.angle_rad + attitude_->heading_rad;
     const double variation = deg_to_rad(sender_.params().magnetic_variation_deg);
-    return Mwd{turn_deg(from), turn_deg(from - variation), knots(wind.speed_m_s), wind.speed_m_s};
+    return Mwd{bearing_deg(from), bearing_deg(from - variation), knots(wind.speed_m_s),
+               wind.speed_m_s};
   });
 }
 

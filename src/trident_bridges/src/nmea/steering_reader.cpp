@@ -13,11 +13,6 @@ namespace {
 
 bool is_usable(char status) { return status == 'A'; }
 
-double wrap_to_turn_rad(double angle) {
-  const double wrapped = std::fmod(angle, 2.0 * kPi);
-  return wrapped < 0.0 ? wrapped + 2.0 * kPi : wrapped;
-}
-
 bool is_same(const std::vector<RoutePlace>& a, const std::vector<RoutePlace>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const RoutePlace& p, const RoutePlace& q) {
@@ -35,7 +30,7 @@ std::optional<double> SteeringReader::true_deg(const std::optional<double>& bear
 
 void SteeringReader::put(const CrossTrack& cross_track, std::optional<double> heading_deg) {
   SteeringEvent event;
-  if (heading_deg) event.heading_rad = wrap_to_turn_rad(deg_to_rad(*heading_deg));
+  if (heading_deg) event.heading_rad = deg_to_rad(wrap_to_360(*heading_deg));
   if (cross_track.distance_nm) {
     event.cross_track_m = *cross_track.distance_nm * kMetersPerNauticalMile;
   }

@@ -4,28 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "trident_base/angle.h"
 #include "trident_bridges/mavlink/dialect.h"
 #include "trident_bridges/mavlink/packet.h"
+#include "trident_bridges/mavlink/whole_number.h"
 
 namespace trident::bridges::sitl {
 namespace {
 
 using mavlink::pack;
+using mavlink::to_whole;
 
 constexpr mavlink::Address kSimulator{1, 200};  ///< as PX4's own plugin for Gazebo has it
 constexpr double kStandardGravity = 9.80665;    ///< [m/s^2]
-
-/// A number in the range of an integer of the wire; NaN is 0.
-template <class Integer>
-Integer to_wire(double value) {
-  constexpr auto lo = static_cast<double>(std::numeric_limits<Integer>::min());
-  constexpr auto hi = static_cast<double>(std::numeric_limits<Integer>::max());
-  if (std::isnan(value)) return 0;
-  return static_cast<Integer>(std::clamp(std::round(value), lo, hi));
-}
 
 void set_xyz(const Eigen::Vector3d& v, float& x, float& y, float& z) {
   x = static_cast<float>(v.x());
@@ -110,18 +102,17 @@ void Px4Link::send_gps(SimTime stamp, const HilGps& gps) {
   out.time_usec =
       static_cast<std::uint64_t>(std::max<std::int64_t>(0, stamp.ns / 1000 + shift_us_));
   out.fix_type = GPS_FIX_TYPE_3D_FIX;
-  out.lat = to_wire<std::int32_t>(gps.latitude_deg * 1e7);
-  out.lon = to_wire<std::int32_t>(gps.longitude_deg * 1e7);
-  out.alt = to_wire<std::int32_t>(gps.altitude_m * 1e3);
-  out.eph = to_wire<std::uint16_t>(gps.horizontal_error_m * 100.0);
-  out.epv = to_wire<std::uint16_t>(gps.vertical_error_m * 100.0);
-  out.vel = to_wire<std::uint16_t>(gps.v_ned.head<2>().norm() * 100.0);
-  out.vn = to_wire<std::int16_t>(gps.v_ned.x() * 100.0);
-  out.ve = to_wire<std::int16_t>(gps.v_ned.y() * 100.0);
-  out.vd = to_wire<std::int16_t>(gps.v_ned.z() * 100.0);
-  const double course = rad_to_deg(std::atan2(gps.v_ned.y(), gps.v_ned.x()));
-  out.cog = to_wire<std::uint16_t>((course < 0.0 ? course + 360.0 : course) * 100.0);
-  out.satellites_visible = to_wire<std::uint8_t>(gps.satellites);
+  out.lat = mavlink::degrees_e7(gps.latitude_deg);
+  out.lon = mavlink::degrees_e7(gps.longitude_deg);
+  out.alt = mavlink::millimeters(gps.altitude_m);
+  out.eph = to_whole<std::uint16_t>(gps.horizontal_error_m * 100.0);
+  out.epv = to_whole<std::uint16_t>(gps.vertical_error_m * 100.0);
+  out.vel = to_whole<std::uint16_t>(gps.v_ned.head<2>().norm() * 100.0);
+  out.vn = mavlink::centimeters(gps.v_ned.x());
+  out.ve = mavlink::centimeters(gps.v_ned.y());
+  out.vd = mavlink::centimeters(gps.v_ned.z());
+  out.cog = mavlink::centidegrees(std::atan2(gps.v_ned.y(), gps.v_ned.x()));
+  out.satellites_visible = to_whole<std::uint8_t>(gps.satellites);
   write(pack(out, kSimulator));
 }
 
@@ -134,17 +125,17 @@ void Px4Link::send_state(SimTime now, const HilState& state) {
   std::transform(std::begin(q), std::end(q), std::begin(out.attitude_quaternion),
                  [](double x) { return static_cast<float>(x); });
   set_xyz(state.w_frd, out.rollspeed, out.pitchspeed, out.yawspeed);
-  out.lat = to_wire<std::int32_t>(state.latitude_deg * 1e7);
-  out.lon = to_wire<std::int32_t>(state.longitude_deg * 1e7);
-  out.alt = to_wire<std::int32_t>(state.altitude_m * 1e3);
-  out.vx = to_wire<std::int16_t>(state.v_ned.x() * 100.0);
-  out.vy = to_wire<std::int16_t>(state.v_ned.y() * 100.0);
-  out.vz = to_wire<std::int16_t>(state.v_ned.z() * 100.0);
-  out.ind_airspeed = out.true_airspeed = to_wire<std::uint16_t>(state.airspeed_m_s * 100.0);
+  out.lat = mavlink::degrees_e7(state.latitude_deg);
+  out.lon = mavlink::degrees_e7(state.longitude_deg);
+  out.alt = mavlink::millimeters(state.altitude_m);
+  out.vx = mavlink::centimeters(state.v_ned.x());
+  out.vy = mavlink::centimeters(state.v_ned.y());
+  out.vz = mavlink::centimeters(state.v_ned.z());
+  out.ind_airspeed = out.true_airspeed = to_whole<std::uint16_t>(state.airspeed_m_s * 100.0);
   const Eigen::Vector3d milli_g = state.a_frd * (1000.0 / kStandardGravity);
-  out.xacc = to_wire<std::int16_t>(milli_g.x());
-  out.yacc = to_wire<std::int16_t>(milli_g.y());
-  out.zacc = to_wire<std::int16_t>(milli_g.z());
+  out.xacc = to_whole<std::int16_t>(milli_g.x());
+  out.yacc = to_whole<std::int16_t>(milli_g.y());
+  out.zacc = to_whole<std::int16_t>(milli_g.z());
   write(pack(out, kSimulator));
 }
 

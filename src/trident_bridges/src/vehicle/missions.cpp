@@ -9,6 +9,7 @@
 
 #include "trident_base/string_util.h"
 #include "trident_bridges/mavlink/dialect.h"
+#include "trident_bridges/mavlink/whole_number.h"
 
 namespace trident::bridges::mavlink {
 namespace {
@@ -115,8 +116,8 @@ MissionItem home_item(const GeoPlace& home) {
   MissionItem item;
   item.command = MAV_CMD_NAV_WAYPOINT;
   item.frame = MAV_FRAME_GLOBAL;
-  item.x = static_cast<std::int32_t>(std::lround(home.latitude_deg * kUnits_per_degree));
-  item.y = static_cast<std::int32_t>(std::lround(home.longitude_deg * kUnits_per_degree));
+  item.x = degrees_e7(home.latitude_deg);
+  item.y = degrees_e7(home.longitude_deg);
   item.z = static_cast<float>(home.altitude_m);
   return item;
 }

@@ -9,6 +9,7 @@
 #include "trident_base/angle.h"
 #include "trident_bridges/mavlink/dialect.h"
 #include "trident_bridges/mavlink/frames.h"
+#include "trident_bridges/mavlink/whole_number.h"
 
 namespace trident::bridges::mavlink {
 namespace {
@@ -19,9 +20,7 @@ constexpr double kSmooth_hz = 2.0;  // of its squares
 /// HIGHRES_IMU.fields_updated: acceleration and rates of all axes.
 constexpr std::uint16_t kAllOfInertia = 0x3F;
 
-std::int16_t thousandths(double value) {
-  return static_cast<std::int16_t>(std::lround(std::clamp(1e3 * value, -32767.0, 32767.0)));
-}
+std::int16_t thousandths(double value) { return to_whole<std::int16_t>(1e3 * value); }
 
 Message highres_imu(const TelemetrySource& source, const ImuReading& imu) {
   // Like an accelerometer's, whose downward axis reads -g at rest.

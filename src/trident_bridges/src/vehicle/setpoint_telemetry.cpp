@@ -8,6 +8,7 @@
 #include "trident_base/angle.h"
 #include "trident_bridges/mavlink/dialect.h"
 #include "trident_bridges/mavlink/frames.h"
+#include "trident_bridges/mavlink/whole_number.h"
 
 namespace trident::bridges::mavlink {
 namespace {
@@ -84,7 +85,7 @@ std::optional<Eigen::Vector3d> destination(const TelemetrySource& source) {
 }
 
 std::int16_t degrees_of(double yaw_from_east) {
-  return static_cast<std::int16_t>(std::lround(rad_to_deg(swap_yaw(yaw_from_east))));
+  return to_whole<std::int16_t>(rad_to_deg(swap_yaw(yaw_from_east)));
 }
 
 std::optional<Message> nav_controller_output(const TelemetrySource& source) {
@@ -94,8 +95,7 @@ std::optional<Message> nav_controller_output(const TelemetrySource& source) {
   mavlink_nav_controller_output_t payload{};
   payload.target_bearing = degrees_of(std::atan2(to_go.y(), to_go.x()));
   payload.nav_bearing = payload.target_bearing;
-  payload.wp_dist =
-      static_cast<std::uint16_t>(std::lround(std::min(to_go.head<2>().norm(), 65535.0)));
+  payload.wp_dist = to_whole<std::uint16_t>(to_go.head<2>().norm());
   payload.alt_error = static_cast<float>(to_go.z());
   return pack(payload, source.self);
 }

@@ -8,6 +8,7 @@
 
 #include "trident_bridges/mavlink/dialect.h"
 #include "trident_bridges/mavlink/frames.h"
+#include "trident_bridges/mavlink/whole_number.h"
 
 namespace trident::bridges::mavlink {
 namespace {
@@ -74,17 +75,17 @@ Message heartbeat(const TelemetrySource& source) {
 
 std::int8_t percent_left(const VehicleState& state) {
   if (std::isnan(state.battery)) return -1;
-  return static_cast<std::int8_t>(std::lround(100.0 * std::clamp(state.battery, 0.0, 1.0)));
+  return to_whole<std::int8_t>(100.0 * std::clamp(state.battery, 0.0, 1.0));
 }
 
 std::uint16_t millivolts(double voltage_v) {
   if (!std::isfinite(voltage_v)) return kNoVoltage;
-  return static_cast<std::uint16_t>(std::lround(std::clamp(1e3 * voltage_v, 0.0, 65534.0)));
+  return std::min<std::uint16_t>(to_whole<std::uint16_t>(1e3 * voltage_v), kNoVoltage - 1);
 }
 
 std::int16_t centiamperes(double current_a) {
   if (!std::isfinite(current_a)) return -1;
-  return static_cast<std::int16_t>(std::lround(std::clamp(1e2 * current_a, 0.0, 32767.0)));
+  return std::max<std::int16_t>(to_whole<std::int16_t>(1e2 * current_a), 0);
 }
 
 Message sys_status(const TelemetrySource& source) {
@@ -165,9 +166,9 @@ Message mission_current(const TelemetrySource& source) {
 
 template <class Payload>
 void fill_place(const GeoPlace& place, const TelemetrySource& source, Payload& payload) {
-  payload.latitude = static_cast<std::int32_t>(std::lround(1e7 * place.latitude_deg));
-  payload.longitude = static_cast<std::int32_t>(std::lround(1e7 * place.longitude_deg));
-  payload.altitude = static_cast<std::int32_t>(std::lround(1e3 * place.altitude_m));
+  payload.latitude = degrees_e7(place.latitude_deg);
+  payload.longitude = degrees_e7(place.longitude_deg);
+  payload.altitude = millimeters(place.altitude_m);
   payload.time_usec = source.boot_us();
 }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_bridges/vehicle/telemetry.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "trident_base/angle.h"
+#include "trident_base/se3.h"
 #include "trident_bridges/mavlink/dialect.h"
 #include "trident_bridges/mavlink/frames.h"
+#include "trident_bridges/mavlink/whole_number.h"
 #include "vehicle/sensor_telemetry.h"
 #include "vehicle/setpoint_telemetry.h"
 #include "vehicle/status_telemetry.h"
@@ -19,38 +19,19 @@ namespace {
 constexpr std::uint8_t kSatellites = 12;  // a good sky
 constexpr std::uint16_t kDilution = 80;   // 100 * HDOP, 100 * VDOP
 
-/// Clockwise from north, 0 to 36000 [0.01 deg].
-std::uint16_t centidegrees(double angle_rad) {
-  const double degrees = rad_to_deg(angle_rad);
-  const auto whole =
-      static_cast<int>(std::lround(100.0 * (degrees < 0.0 ? degrees + 360.0 : degrees)));
-  return static_cast<std::uint16_t>(whole % 36000);
-}
-
-std::int16_t centimeters(double v_m_s) {
-  return static_cast<std::int16_t>(std::lround(std::clamp(100.0 * v_m_s, -32767.0, 32767.0)));
-}
-
-std::uint32_t millimeters(double length_m) {
-  return static_cast<std::uint32_t>(std::lround(std::clamp(1e3 * length_m, 0.0, 4e9)));
-}
-
 /// Of body (FRD) in the world (NED).
 Eigen::Quaterniond attitude_of(const TelemetrySource& source) {
   return swap_attitude(source.state.R_world_body).normalized();
 }
 
 Message attitude(const TelemetrySource& source) {
-  const Eigen::Quaterniond q = attitude_of(source);
+  const Eigen::Vector3f angles = SE3{attitude_of(source), {}}.rpy().cast<float>();
   const Eigen::Vector3f w = swap_body(source.readings.w_body_rad_s).cast<float>();
   mavlink_attitude_t payload{};
   payload.time_boot_ms = source.boot_ms();
-  payload.roll = static_cast<float>(std::atan2(2.0 * (q.w() * q.x() + q.y() * q.z()),
-                                               1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y())));
-  payload.pitch =
-      static_cast<float>(std::asin(std::clamp(2.0 * (q.w() * q.y() - q.z() * q.x()), -1.0, 1.0)));
-  payload.yaw = static_cast<float>(std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()),
-                                              1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z())));
+  payload.roll = angles.x();
+  payload.pitch = angles.y();
+  payload.yaw = angles.z();
   payload.rollspeed = w.x();
   payload.pitchspeed = w.y();
   payload.yawspeed = w.z();
@@ -87,11 +68,10 @@ Message local_position_ned(const TelemetrySource& source) {
 }
 
 template <class Payload>
-void fill_geo_place(const TelemetrySource& source, Payload& payload) {
-  const GeoPlace place = source.geo.to_geo(source.state.p_world_m);
-  payload.lat = static_cast<std::int32_t>(std::lround(1e7 * place.latitude_deg));
-  payload.lon = static_cast<std::int32_t>(std::lround(1e7 * place.longitude_deg));
-  payload.alt = static_cast<std::int32_t>(std::lround(1e3 * place.altitude_m));
+void fill_geo_place(const GeoPlace& place, Payload& payload) {
+  payload.lat = degrees_e7(place.latitude_deg);
+  payload.lon = degrees_e7(place.longitude_deg);
+  payload.alt = millimeters(place.altitude_m);
 }
 
 double height_above_home(const TelemetrySource& source) {
@@ -102,8 +82,8 @@ Message global_position_int(const TelemetrySource& source) {
   const Eigen::Vector3d v = swap_world(source.state.v_world_m_s);
   mavlink_global_position_int_t payload{};
   payload.time_boot_ms = source.boot_ms();
-  fill_geo_place(source, payload);
-  payload.relative_alt = static_cast<std::int32_t>(std::lround(1e3 * height_above_home(source)));
+  fill_geo_place(source.geo.to_geo(source.state.p_world_m), payload);
+  payload.relative_alt = millimeters(height_above_home(source));
   payload.vx = centimeters(v.x());
   payload.vy = centimeters(v.y());
   payload.vz = centimeters(v.z());
@@ -112,7 +92,7 @@ Message global_position_int(const TelemetrySource& source) {
 }
 
 void fill_believed(const TelemetrySource& source, mavlink_gps_raw_int_t& payload) {
-  fill_geo_place(source, payload);
+  fill_geo_place(source.geo.to_geo(source.state.p_world_m), payload);
   payload.eph = payload.epv = kDilution;
   payload.fix_type = GPS_FIX_TYPE_3D_FIX;
   payload.satellites_visible = kSatellites;
@@ -122,19 +102,17 @@ void fill_believed(const TelemetrySource& source, mavlink_gps_raw_int_t& payload
 bool fill_gnss(const std::optional<GnssReading>& gnss, mavlink_gps_raw_int_t& payload) {
   if (!gnss) return false;
   payload.time_usec = static_cast<std::uint64_t>(gnss->stamp.ns / 1000);
-  payload.satellites_visible = static_cast<std::uint8_t>(std::clamp(gnss->satellites, 0, 255));
+  payload.satellites_visible = to_whole<std::uint8_t>(gnss->satellites);
   payload.eph = payload.epv = std::numeric_limits<std::uint16_t>::max();
   payload.fix_type = GPS_FIX_TYPE_NO_FIX;
   if (!gnss->has_fix) return true;
   payload.fix_type = GPS_FIX_TYPE_3D_FIX;
   if (gnss->is_rtk_float) payload.fix_type = GPS_FIX_TYPE_RTK_FLOAT;
   if (gnss->is_rtk_fixed) payload.fix_type = GPS_FIX_TYPE_RTK_FIXED;
-  payload.lat = static_cast<std::int32_t>(std::lround(1e7 * gnss->place.latitude_deg));
-  payload.lon = static_cast<std::int32_t>(std::lround(1e7 * gnss->place.longitude_deg));
-  payload.alt = static_cast<std::int32_t>(std::lround(1e3 * gnss->place.altitude_m));
+  fill_geo_place(gnss->place, payload);
   payload.eph = payload.epv = kDilution;
-  payload.h_acc = millimeters(gnss->horizontal_stddev_m);
-  payload.v_acc = millimeters(gnss->vertical_stddev_m);
+  payload.h_acc = to_whole<std::uint32_t>(1e3 * gnss->horizontal_stddev_m);
+  payload.v_acc = to_whole<std::uint32_t>(1e3 * gnss->vertical_stddev_m);
   return true;
 }
 
@@ -145,7 +123,7 @@ Message gps_raw_int(const TelemetrySource& source) {
   payload.time_usec = source.boot_us();
   if (!fill_gnss(source.readings.gnss, payload)) fill_believed(source, payload);
   const double speed_m_s = v.head<2>().norm();
-  payload.vel = static_cast<std::uint16_t>(centimeters(speed_m_s));
+  payload.vel = to_whole<std::uint16_t>(100.0 * speed_m_s);
   payload.cog = centidegrees(swap_yaw(std::atan2(v.y(), v.x())));
   return pack(payload, source.self);
 }

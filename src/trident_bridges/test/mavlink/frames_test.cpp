@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_bridges/mavlink/frames.h"
+#include "trident_bridges/mavlink/whole_number.h"
 
 #include <gtest/gtest.h>
 
@@ -102,6 +103,21 @@ TEST(Frames, CovariancesFollowTheirVectors) {
   }
   EXPECT_LT((swap_world_covariance(covariance) - world).norm(), 1e-12);
   EXPECT_LT((swap_body_covariance(covariance) - body).norm(), 1e-12);
+}
+
+TEST(WholeNumbers, AreTheNearestThatAFieldHolds) {
+  EXPECT_EQ(to_whole<std::int8_t>(-1000.0), -128);
+  EXPECT_EQ(to_whole<std::uint32_t>(1e12), 4'294'967'295U);
+  EXPECT_EQ(to_whole<std::int16_t>(std::nan("")), 0);
+  EXPECT_EQ(degrees_e7(-47.12345678), -471'234'568);
+  EXPECT_EQ(millimeters(1.0006), 1001);
+  EXPECT_EQ(centimeters(-400.0), -32'768);
+}
+
+TEST(WholeNumbers, ACourseIsBelowAWholeTurn) {
+  EXPECT_EQ(centidegrees(-0.5 * kPi), 27'000);
+  EXPECT_EQ(centidegrees(deg_to_rad(359.999)), 0);
+  EXPECT_EQ(centidegrees(-1e-12), 0);
 }
 
 }  // namespace
