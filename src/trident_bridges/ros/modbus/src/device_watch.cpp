@@ -47,20 +47,11 @@ DeviceWatch::DeviceWatch(const RegisterMap& map, const LinkOptions& options, Pol
                         std::to_string(client_.map().spec.unit) +
                         (answers ? " answers" : " does not answer"));
                }}),
+      device_(client_, loop),
       link_(map.spec.transport, Role::kClient, options, loop,
-            {[this](const LinkFrame& frame) {
-               client_.receive(frame.transaction, frame.unit, frame.pdu);
-               pump();
-             },
-             [this](PeerId peer) {
-               peer_ = peer;
-               client_.poll();
-               pump();
-             },
-             [this](PeerId) {
-               peer_.reset();
-               client_.disconnect();
-             },
+            {[this](const LinkFrame& frame) { device_.receive(frame); },
+             [this](PeerId peer) { device_.open(link_, peer); },
+             [this](PeerId) { device_.close(); },
              [this](const std::string&, const std::string& text) { print_(text); },
              [this](const std::string& text) { print_(text); },
              {}}) {
@@ -71,18 +62,7 @@ DeviceWatch::~DeviceWatch() { loop_.cancel(poll_call_); }
 
 void DeviceWatch::poll() {
   poll_call_ = loop_.call_after(1.0 / client_.map().spec.poll, [this] { poll(); });
-  if (!peer_) return;
-  client_.update(loop_.now_s());
-  client_.poll();
-  pump();
-}
-
-void DeviceWatch::pump() {
-  if (!peer_) return;
-  while (const auto outgoing = client_.next(loop_.now_s())) {
-    link_.send(*peer_, outgoing->unit, outgoing->transaction, outgoing->pdu.bytes());
-  }
-  link_.flush();
+  device_.poll();
 }
 
 }  // namespace trident::bridges::modbus

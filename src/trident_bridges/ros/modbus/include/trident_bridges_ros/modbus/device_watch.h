@@ -3,11 +3,11 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "trident_bridges/modbus/client.h"
 #include "trident_bridges/transport/poll_loop.h"
+#include "trident_bridges_ros/modbus/device_connection.h"
 #include "trident_bridges_ros/modbus/modbus_link.h"
 
 namespace trident::bridges::modbus {
@@ -29,15 +29,14 @@ class DeviceWatch {
 
  private:
   void poll();
-  void pump();
 
   PollLoop& loop_;
   std::function<void(const std::string& line)> print_;
   double begin_s_;
   std::size_t blocks_;
-  std::optional<PeerId> peer_;
   std::uint64_t poll_call_ = 0;
   Client client_;
+  DeviceConnection device_;
   ModbusLink link_;
 };
 

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
 #include "trident_bridges/modbus/client.h"
+#include "trident_bridges_ros/modbus/device_connection.h"
 #include "trident_bridges_ros/modbus/modbus_node.h"
 
 namespace trident::bridges::modbus {
@@ -16,7 +15,6 @@ class ModbusClientNode : public ModbusNode {
  public:
   /// Connects, and again whenever the device is gone. Throws ConfigError for a wrong map.
   ModbusClientNode(ros::NodeHandle& node, NodePollLoop& loop, const ModbusNodeParams& params);
-  ~ModbusClientNode() override;
 
  protected:
   void on_frame(const LinkFrame& frame) override;
@@ -27,13 +25,8 @@ class ModbusClientNode : public ModbusNode {
   Rows counts() const override;
 
  private:
-  void poll();
-  void pump();
-  void watch_deadline();
-
   Client client_;
-  std::optional<PeerId> peer_;  ///< the device, while there is a connection
-  std::optional<std::uint64_t> deadline_call_;
+  DeviceConnection device_;
   NodeTicker ticker_;
 };
 
