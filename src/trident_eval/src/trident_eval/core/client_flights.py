@@ -87,8 +87,9 @@ def judge_client_flights(
     passed = {one.name: follow(tracks, one).reached for one in missions_of(record)}
     for name, entry in record.items():
         row = _numbers(entry, passed.get(name, 0))
-        verdict.numbers["commanded"][name] = row
-        verdict.reasons += [f"{name}: {reason}" for reason in _reasons(entry, row)]
+        reasons = _reasons(entry, row)
+        verdict.numbers["commanded"][name] = row | {"satisfied": not reasons}
+        verdict.reasons += [f"{name}: {reason}" for reason in reasons]
     take_over(run, verdict)
     return verdict
 
@@ -161,11 +162,5 @@ def _commanded_row(name: str, numbers: dict[str, Any]) -> Row:
     value = (
         f"{armed}, {passed} of {items} items ({reported} reported), {numbers['end']}, {refusals}"
     )
-    is_satisfied = (
-        numbers["armed"]
-        and numbers["mission_equal"]
-        and numbers["ended"]
-        and passed == reported == items
-        and not numbers["refusals"]
-    )
-    return Row(name, value, f"all, within {value_text(numbers['radius_m'], 'm')}", is_satisfied)
+    limit = f"all, within {value_text(numbers['radius_m'], 'm')}"
+    return Row(name, value, limit, numbers["satisfied"])

@@ -182,50 +182,62 @@ def judge_plc(tracks: Tracks, log: PlcLog, run: dict[str, Any]) -> Verdict:
         "lights": bool(len(shone.time) and seen.value.any()),
         "distance_m": float(lengths(np.diff(track[:, :2], axis=0)).sum()),
     }
-    verdict = Verdict({"mode": "plc", "vehicles": [log.vessel], "plc": numbers}, _reasons(numbers))
+    checks = _checks(numbers)
+    numbers["satisfied"] = {
+        group: all(is_satisfied for one, is_satisfied, _ in checks if one == group)
+        for group, *_ in checks
+    }
+    reasons = [f"PLC: {reason}" for _, is_satisfied, reason in checks if not is_satisfied]
+    verdict = Verdict({"mode": "plc", "vehicles": [log.vessel], "plc": numbers}, reasons)
     verdict.numbers |= run_numbers(run)
     take_over(run, verdict)
     return verdict
 
 
-def _reasons(numbers: dict[str, Any]) -> list[str]:
-    """What speaks against the run."""
-    checks = (
-        (numbers["commands"] > 0, "no legal command was given"),
+def _checks(numbers: dict[str, Any]) -> tuple[tuple[str, bool, str], ...]:
+    """What is judged: a group, whether it is as it must be, and what speaks against the run."""
+    return (
+        ("commands", numbers["commands"] > 0, "no legal command was given"),
         (
+            "commands",
             numbers["commands_arrived"] == numbers["commands"],
             f"{numbers['commands_arrived']} of {numbers['commands']} commands arrived",
         ),
         (
+            "commands",
             (numbers["delay_max_s"] or 0.0) <= DELAY_LIMIT_S,
             f"a command took {numbers['delay_max_s'] or 0.0:.3f} s, limit {DELAY_LIMIT_S:g} s",
         ),
         (
+            "limits",
             numbers["illegal_arrived"] == 0,
             f"{numbers['illegal_arrived']} commands beyond the limits arrived",
         ),
         (
+            "silences",
             numbers["silences"] > 0 and numbers["stopped"] == numbers["silences"],
             f"{numbers['stopped']} of {numbers['silences']} silences stopped a propeller",
         ),
         (
+            "silences",
             (numbers["stopped_after_max_s"] or 0.0) <= numbers["stopped_limit_s"],
             f"a propeller stopped {numbers['stopped_after_max_s'] or 0.0:.3f} s after its last "
             f"command, limit {numbers['stopped_limit_s']:g} s",
         ),
-        (numbers["registers_read"] > 0, "no thrust was read from the registers"),
+        ("registers", numbers["registers_read"] > 0, "no thrust was read from the registers"),
         (
+            "registers",
             (numbers["register_error_max_n"] or 0.0) <= THRUST_STEP_N,
             f"a register is {numbers['register_error_max_n'] or 0.0:.3f} N off, limit "
             f"{THRUST_STEP_N:g} N",
         ),
-        (numbers["lights"], "the lights were not switched on, or not read back"),
+        ("lights", numbers["lights"], "the lights were not switched on, or not read back"),
         (
+            "distance",
             numbers["distance_m"] >= LEAST_DISTANCE_M,
             f"the vessel moved {numbers['distance_m']:.1f} m, at least {LEAST_DISTANCE_M:g} m",
         ),
     )
-    return [f"PLC: {reason}" for is_satisfied, reason in checks if not is_satisfied]
 
 
 def plc_rows(verdict: dict[str, Any]) -> list[Row]:
@@ -234,22 +246,22 @@ def plc_rows(verdict: dict[str, Any]) -> list[Row]:
     if not numbers:
         return []
 
-    def row(label: str, counts: tuple[str, str], worst: str, unit: str, limit: float) -> Row:
-        done, total = numbers[counts[0]], numbers[counts[1]]
-        value, most = f"{done} of {total}", numbers[worst]
+    satisfied = numbers["satisfied"]
+
+    def row(label: str, counts: tuple[str, str], worst: str, limit: float) -> Row:
+        value, most = f"{numbers[counts[0]]} of {numbers[counts[1]]}", numbers[worst]
         if most is not None:
-            value += f", within {value_text(most, unit)}"
-        is_satisfied = total > 0 and done == total and (most or 0.0) <= limit
-        return Row(label, value, f"all, within {value_text(limit, unit)}", is_satisfied)
+            value += f", within {value_text(most, 's')}"
+        return Row(label, value, f"all, within {value_text(limit, 's')}", satisfied[counts[1]])
 
     arrived, stopped = ("commands_arrived", "commands"), ("stopped", "silences")
     return [
-        row("commands arrived", arrived, "delay_max_s", "s", numbers["delay_limit_s"]),
-        row("stopped in silence", stopped, "stopped_after_max_s", "s", numbers["stopped_limit_s"]),
+        row("commands arrived", arrived, "delay_max_s", numbers["delay_limit_s"]),
+        row("stopped in silence", stopped, "stopped_after_max_s", numbers["stopped_limit_s"]),
         Row(
             "commands beyond limits",
             f"{numbers['illegal_arrived']} of {numbers['illegal_commands']} arrived",
             "none",
-            numbers["illegal_arrived"] == 0,
+            satisfied["limits"],
         ),
     ]
