@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -21,5 +22,14 @@ from trident.testing.pytest_plugin import (  # noqa: E402
     session_ros,
     start_gazebo,
 )
+from trident_runs import Trident  # noqa: E402
 
 __all__ = ["gazebo", "launch", "pytest_runtest_makereport", "ros", "session_ros", "start_gazebo"]
+
+
+@pytest.fixture(scope="module")
+def trident() -> Iterator[Trident]:
+    """Calls of ./trident, whose run folders are taken away after the module's tests."""
+    caller = Trident()
+    yield caller
+    caller.clean()

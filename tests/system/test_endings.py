@@ -8,7 +8,6 @@ import json
 import os
 import re
 import signal
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -30,13 +29,6 @@ LAUNCH = """\
         args="-O $(optenv TRIDENT_OUT)/run.bag --chunksize=4 /clock /gazebo/model_states"/>
 </launch>
 """
-
-
-@pytest.fixture(scope="module")
-def trident() -> Iterator[Trident]:
-    caller = Trident()
-    yield caller
-    caller.clean()
 
 
 def commands_of(process: Process) -> list[str]:

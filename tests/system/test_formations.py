@@ -5,24 +5,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import h5py
 import numpy as np
-import pytest
 from harness import REPO
 from trident_runs import Trident
 
 MAIN_JOB = "multi_uav_simulation.launch"
 TOUR = REPO / "config" / "formations" / "patterns_tour.yaml"
-
-
-@pytest.fixture(scope="module")
-def trident() -> Iterator[Trident]:
-    caller = Trident()
-    yield caller
-    caller.clean()
 
 
 def as_v73(text_file: Path, path: Path) -> None:

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 
@@ -19,13 +18,6 @@ from trident_runs import Outcome, Trident
 
 FORMATION = REPO / "config" / "formations" / "hexagon_translate_rotate.txt"
 LAUNCH = "multi_uav_simulation.launch"
-
-
-@pytest.fixture(scope="module")
-def trident() -> Iterator[Trident]:
-    caller = Trident()
-    yield caller
-    caller.clean()
 
 
 @pytest.fixture(scope="module")

@@ -4,10 +4,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
-import pytest
 import yaml
 from trident.testing import Launch
 from trident.testing.mavlink_vehicles import KINDS, write_fleet
@@ -21,13 +20,6 @@ ERRANDS = [
     {"vehicle": "usv1", "system": 3, "kind": "usv", "radius": 4.0, "end": "hold",
      "places": [[12, 0, 0]]},
 ]  # fmt: skip
-
-
-@pytest.fixture
-def trident() -> Iterator[Trident]:
-    caller = Trident()
-    yield caller
-    caller.clean()
 
 
 def test_a_client_leads_all_three_through_their_errands(trident: Trident, tmp_path: Path) -> None:

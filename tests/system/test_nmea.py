@@ -4,22 +4,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-import pytest
 from trident_base.ports import free_port
 from trident_runs import Trident
 
 RTK_FIXED_FROM_S = 30.0
 END_S = 36.0
 GGA_HZ = 5.0
-
-
-@pytest.fixture
-def trident() -> Iterator[Trident]:
-    caller = Trident()
-    yield caller
-    caller.clean()
 
 
 def test_a_usvs_positions_reach_a_client_within_a_decimeter(trident: Trident) -> None:

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -36,12 +35,9 @@ NO_MODEL = """\
 """
 
 
-@pytest.fixture
-def trident(monkeypatch: pytest.MonkeyPatch) -> Iterator[Trident]:
+@pytest.fixture(autouse=True)
+def _ends_after_five_seconds(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(os.environ, "TRIDENT_END_TIME", "5")
-    caller = Trident()
-    yield caller
-    caller.clean()
 
 
 def present_from_the_beginning(trident: Trident, *words: object) -> list[str]:
