@@ -111,6 +111,18 @@ def test_a_log_is_named_with_replay_alone(
         assert "FILE.tlog is named with replay" in capsys.readouterr().err
 
 
+def test_parameters_are_printed_by_the_action_and_by_the_option(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(cli, "provision", lambda *_args: None)
+    for subject, end in (([], "mavlink_parameters"), (["px4/uav"], "mavlink_parameters px4 uav")):
+        for first in ("parameters", "--parameters"):
+            assert cli.main(["--dry-run", "mavlink", first, *subject]) == 0
+            assert capsys.readouterr().out.rstrip().endswith(end)
+    assert cli.main(["mavlink", "list", "--parameters"]) == 1
+    assert "legal: one of list, watch, replay FILE.tlog, parameters" in capsys.readouterr().err
+
+
 def test_the_board_shows_rates_and_last_values() -> None:
     board = Board()
     for roll in (0.5, 0.25):

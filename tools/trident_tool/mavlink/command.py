@@ -25,14 +25,16 @@ _PROGRAMS = "lib/trident_bridges"
 def add_mavlink_command(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
     """Adds ``mavlink`` to the command line."""
     sub = add("mavlink", _cmd_mavlink, "which vehicles speak MAVLink, what they say, logs again")
-    sub.add_argument("action", nargs="?", choices=["list", "watch", "replay"])
-    sub.add_argument("log", nargs="?", type=Path, metavar="FILE.tlog", help="with replay")
+    sub.add_argument("action", nargs="?", choices=["list", "watch", "replay", "parameters"])
     sub.add_argument(
-        "--parameters",
+        "subject",
         nargs="?",
-        const="",
-        metavar="WHOSE",
-        help="print the parameters of vehicles: px4 or ardupilot, or e.g. px4/uav, ardupilot/usv",
+        metavar="FILE.tlog|WHOSE",
+        help="replay: the log; parameters: of which vehicles, px4 or ardupilot, or e.g. px4/uav, "
+        "ardupilot/usv; default: all that differ",
+    )
+    sub.add_argument(
+        "--parameters", nargs="?", const="", metavar="WHOSE", help="as the action parameters"
     )
     sub.add_argument(
         "--vehicles", type=Path, metavar="FILE", help="list: default config/bridges/vehicles.yaml"
@@ -53,12 +55,15 @@ def add_mavlink_command(add: Callable[[str, Handler, str], argparse.ArgumentPars
 
 
 def _cmd_mavlink(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    if (options.action == "replay") != (options.log is not None):
-        raise TridentError("mavlink: FILE.tlog is named with replay, and with replay alone")
     if (options.action is None) == (options.parameters is None):
-        raise TridentError("mavlink: legal: one of list, watch, replay FILE.tlog, --parameters")
-    if options.parameters is not None:
-        return _parameters(workspace, runner, options.parameters)
+        raise TridentError(
+            "mavlink: legal: one of list, watch, replay FILE.tlog, parameters [WHOSE]"
+        )
+    if options.action in (None, "parameters"):
+        whose = options.subject if options.parameters is None else options.parameters
+        return _parameters(workspace, runner, whose or "")
+    if (options.action == "replay") != (options.subject is not None):
+        raise TridentError("mavlink: FILE.tlog is named with replay, and with replay alone")
     if options.action == "list":
         return _list(workspace, runner, options)
     if options.action == "watch":
@@ -94,7 +99,7 @@ def _replay(options: argparse.Namespace) -> int:
     if not 0.0 <= options.speed < math.inf:
         raise TridentError(f"mavlink replay: --speed {options.speed}, legal: >= 0")
     address = Address.parse(options.at or "udp:127.0.0.1:14550", allow_remote=options.allow_remote)
-    log = read_log(options.log)
+    log = read_log(Path(options.subject))
     with address.connected() as link:
         count = replay(log, lambda packet: _send(link, packet), options.speed or math.inf)
     say(f"sent {count} packets to {address}")
