@@ -108,6 +108,21 @@ void accept_numeric_flag(ConfigNode& node) {
   if (node.scalar == "0") node.scalar = "false";
 }
 
+ConfigNode overlaid(const ConfigNode& under, const ConfigNode& over) {
+  if (under.kind != ConfigNode::Kind::kMap || over.kind != ConfigNode::Kind::kMap) return over;
+  ConfigNode result = under;
+  for (std::size_t i = 0; i < over.keys.size(); ++i) {
+    const auto found = std::find(result.keys.begin(), result.keys.end(), over.keys[i]);
+    if (found == result.keys.end()) {
+      add(result, over.keys[i], over.items[i]);
+    } else {
+      ConfigNode& item = result.items[static_cast<std::size_t>(found - result.keys.begin())];
+      item = overlaid(item, over.items[i]);
+    }
+  }
+  return result;
+}
+
 std::vector<std::string> remove_unknown(ConfigNode& map, const std::vector<std::string>& known) {
   std::vector<std::string> unknown;
   for (std::size_t i = map.keys.size(); i-- > 0;) {
@@ -148,9 +163,20 @@ NodeParams::NodeParams(const XmlRpcValue& parameters, std::string name_space)
   tree_.kind = ConfigNode::Kind::kMap;
 }
 
+NodeParams::NodeParams(ConfigNode section, std::string name_space)
+    : tree_(std::move(section)), name_space_(std::move(name_space)) {
+  config_detail::expect_map({label(), Range::any(), ""}, tree_, name_space_);
+}
+
 const std::string& NodeParams::label() {
   static const std::string text = "parameter";
   return text;
+}
+
+NodeParams NodeParams::overlaid(const NodeParams& own) const {
+  NodeParams result = own;
+  result.tree_ = params_detail::overlaid(tree_, own.tree_);
+  return result;
 }
 
 ConfigNode NodeParams::subtree(const std::vector<std::string>& names) const {

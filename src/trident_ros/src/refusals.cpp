@@ -14,8 +14,10 @@ constexpr double kPublishEveryS = 0.5;  // wall time
 
 }  // namespace
 
-Refusals::Refusals(ros::NodeHandle& node)
-    : diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10)),
+Refusals::Refusals(ros::NodeHandle& node, const std::string& owner)
+    : owner_(owner.substr(1)),
+      prefix_(owner == ros::this_node::getName() ? "" : owner + ": "),
+      diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10)),
       // Of the last refusal, too, if it came soon after the one before.
       timer_(node.createWallTimer(ros::WallDuration(kPublishEveryS),
                                   [this](const ros::WallTimerEvent&) { publish_if_due(); })) {}
@@ -27,7 +29,7 @@ void Refusals::note(const std::string& kind, const std::string& text) {
     const ros::WallTime now = ros::WallTime::now();
     if (known.logged == 0 || (now - known.logged_at).toSec() >= kLogEveryS) {
       const std::uint64_t more = known.count - known.logged - 1;
-      ROS_ERROR("%s%s", text.c_str(),
+      ROS_ERROR("%s%s%s", prefix_.c_str(), text.c_str(),
                 more == 0 ? "" : (" (and " + std::to_string(more) + " before it)").c_str());
       known.logged = known.count;
       known.logged_at = now;
@@ -68,7 +70,7 @@ std::optional<diagnostic_msgs::DiagnosticArray> Refusals::due_news() {
   for (const auto& [kind, known] : kinds_) {
     diagnostic_msgs::DiagnosticStatus status;
     status.level = diagnostic_msgs::DiagnosticStatus::WARN;
-    status.name = ros::this_node::getName().substr(1) + ": " + kind;
+    status.name = owner_ + ": " + kind;
     status.message = known.newest;
     diagnostic_msgs::KeyValue count;
     count.key = "count";

@@ -7,13 +7,17 @@ from __future__ import annotations
 import struct
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
+import rospy
+from mavros_msgs.msg import State
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.generator.mavcrc import x25crc
-from trident.testing import eventually
+from trident.testing import Ros, eventually, program, recorder
+from trident_base.ports import free_port
 
 _BEAT_S = 0.2
 _LIMIT_S = 20.0
@@ -109,3 +113,31 @@ class Peer:
         self._is_over.set()
         self._thread.join()
         self._link.close()
+
+
+@contextmanager
+def connected_peer(ros: Ros, parameters: dict[str, Any]) -> Iterator[Peer]:
+    """A vehicle that beats, and /uav1/mavros with these parameters that is connected to it.
+
+    Args:
+        ros: the master, which is cleaned in the end.
+        parameters: of the node, in addition to its fcu_url.
+    """
+    own, far = free_port(), free_port()
+    ros.set_param("/uav1/mavros", {"fcu_url": f"udp://:{own}@127.0.0.1:{far}", **parameters})
+    one = Peer(far, own)
+    node = ros.launch([program("mavros", "mavros_node"), "__name:=mavros", "__ns:=/uav1"])
+    with recorder("/uav1/mavros/state", State) as states:
+        eventually(lambda: bool(states.messages and states.messages[-1].connected), node.log)
+    yield one
+    one.close()
+    ros.clean()
+
+
+def ask_by(peer: Peer, topic: str, message: Any, kind: str) -> Any:
+    """What the vehicle hears when a message is published below /uav1/mavros."""
+    publisher = rospy.Publisher(f"/uav1/mavros/{topic}", type(message), queue_size=10)
+    try:
+        return peer.asked(lambda: publisher.publish(message), kind)
+    finally:
+        publisher.unregister()

@@ -20,17 +20,15 @@ from mavros_msgs.msg import (
     LogEntry,
     OnboardComputerStatus,
     OpticalFlowRad,
-    State,
     Trajectory,
 )
 from mavros_msgs.srv import CommandInt, LogRequestList
 from nav_msgs.msg import Path
-from peer import Peer
+from peer import Peer, ask_by, connected_peer
 from sensor_msgs.msg import LaserScan, Range, TimeReference
 from std_srvs.srv import Trigger
 from trajectory_msgs.msg import MultiDOFJointTrajectory, MultiDOFJointTrajectoryPoint
-from trident.testing import Ros, eventually, package, program, recorder
-from trident_base.ports import free_port
+from trident.testing import Ros, eventually, package, recorder
 
 NORTH = math.sqrt(0.5)  # z and w of a quaternion that turns the nose from east to north
 
@@ -38,26 +36,8 @@ NORTH = math.sqrt(0.5)  # z and w of a quaternion that turns the nose from east 
 @pytest.fixture(scope="module")
 def peer(session_ros: Ros) -> Iterator[Peer]:
     """A vehicle that beats, and a node with all plugins that is connected to it."""
-    ros = session_ros
-    own, far = free_port(), free_port()
-    ros.set_param("/uav1/mavros/fcu_url", f"udp://:{own}@127.0.0.1:{far}")
-    one = Peer(far, own)
-    words = [program("mavros", "mavros_node"), "__name:=mavros", "__ns:=/uav1"]
-    node = ros.launch(words)
-    with recorder("/uav1/mavros/state", State) as states:
-        eventually(lambda: bool(states.messages and states.messages[-1].connected), node.log)
-    yield one
-    one.close()
-    ros.clean()
-
-
-def ask_by(peer: Peer, topic: str, message: Any, kind: str) -> Any:
-    """What the vehicle hears when a message is published below the node."""
-    publisher = rospy.Publisher(f"/uav1/mavros/{topic}", type(message), queue_size=10)
-    try:
-        return peer.asked(lambda: publisher.publish(message), kind)
-    finally:
-        publisher.unregister()
+    with connected_peer(session_ros, {}) as one:
+        yield one
 
 
 def point(x: float, time_s: float) -> MultiDOFJointTrajectoryPoint:

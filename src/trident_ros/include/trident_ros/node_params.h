@@ -46,6 +46,8 @@ struct ParamNotes {
 std::string join_names(const std::string& parent, const std::string& name);
 /// roslaunch and rosparam also write 1 and 0 for true and false.
 void accept_numeric_flag(ConfigNode& node);
+/// `over`, or where both are maps: the keys of both, each with its value of `over` if it has one.
+ConfigNode overlaid(const ConfigNode& under, const ConfigNode& over);
 /// Removes the keys of a map that are not among `known`, and returns them.
 std::vector<std::string> remove_unknown(ConfigNode& map, const std::vector<std::string>& known);
 /// Adds them to `notes`, each with the nearest known name.
@@ -167,6 +169,8 @@ class NodeParams {
   explicit NodeParams(const ros::NodeHandle& private_node);
   /// `name_space`: absolute name of the node, for messages.
   NodeParams(const XmlRpc::XmlRpcValue& parameters, std::string name_space);
+  /// A section of parameters that were read before. Throws ConfigError unless it is a map.
+  NodeParams(ConfigNode section, std::string name_space);
 
   /// `value` with those fields replaced that are set. Nested structs are nested parameter names.
   /// Throws ConfigError with the full name of the parameter, its value and the legal range.
@@ -190,6 +194,10 @@ class NodeParams {
   void set(const std::string& name, ConfigNode value);
   /// Removes a parameter, here alone, and returns it; std::nullopt when it is not set.
   std::optional<ConfigNode> take(const std::string& name);
+
+  /// All these parameters, with those of `own` in place of theirs, sections key by key; named as
+  /// `own` is.
+  NodeParams overlaid(const NodeParams& own) const;
 
   /// These names are read elsewhere.
   void accept(const std::vector<std::string>& names);

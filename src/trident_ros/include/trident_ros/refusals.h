@@ -5,6 +5,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <ros/this_node.h>
 #include <ros/wall_timer.h>
 
 #include <cstdint>
@@ -20,8 +21,9 @@ namespace trident::ros_utils {
 /// each. From any thread.
 class Refusals {
  public:
-  /// Advertises /diagnostics.
-  explicit Refusals(ros::NodeHandle& node);
+  /// Advertises /diagnostics. `owner`: absolute name that is told in place of the node's, as of a
+  /// part that could be a node of its own.
+  explicit Refusals(ros::NodeHandle& node, const std::string& owner = ros::this_node::getName());
 
   /// Counts a refusal and logs it if its kind is due. `text`: what was refused and why.
   void note(const std::string& kind, const std::string& text);
@@ -39,6 +41,8 @@ class Refusals {
   void publish_if_due();
   std::optional<diagnostic_msgs::DiagnosticArray> due_news();
 
+  const std::string owner_;   ///< without its first slash
+  const std::string prefix_;  ///< of what is logged
   std::mutex mutex_;
   std::map<std::string, Kind> kinds_;
   ros::WallTime published_at_;

@@ -12,21 +12,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "trident_base/angle.h"
+#include "trident_base/se3.h"
 #include "trident_bridges/mavlink/frames.h"
+#include "trident_bridges/mavlink/whole_number.h"
 
 namespace trident::mavros {
 
-/// The nearest whole number that a field holds; NaN is 0.
-template <class Integer>
-Integer to_whole(double value) {
-  constexpr auto kMin = static_cast<double>(std::numeric_limits<Integer>::min());
-  constexpr auto kMax = static_cast<double>(std::numeric_limits<Integer>::max());
-  if (std::isnan(value)) return 0;
-  return static_cast<Integer>(std::lround(std::max(kMin, std::min(kMax, value))));
-}
+using bridges::mavlink::to_whole;
 
 /// A vector of a message of ROS.
 template <class Vector>
@@ -64,15 +58,11 @@ void assign_q(Payload& to, const Eigen::Quaterniond& q) {
 }
 /// Rotation from body to world of roll, pitch and yaw [rad].
 inline Eigen::Quaterniond from_euler(double roll, double pitch, double yaw) {
-  return Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
+  return SE3::from_xyz_rpy(Eigen::Vector3d::Zero(), roll, pitch, yaw).R;
 }
 /// Roll, pitch and yaw [rad] of a rotation from body to world.
 inline Eigen::Vector3d to_euler(const Eigen::Quaterniond& q) {
-  const Eigen::Matrix3d R = q.toRotationMatrix();
-  return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::max(-1.0, std::min(1.0, -R(2, 0)))),
-          std::atan2(R(1, 0), R(0, 0))};
+  return SE3{q, Eigen::Vector3d::Zero()}.rpy();
 }
 /// Angle of body x from the world's x, counterclockwise [rad].
 inline double yaw_of(const Eigen::Quaterniond& q) { return to_euler(q).z(); }

@@ -19,7 +19,7 @@ using bridges::mavlink::RouterPeer;
 
 constexpr RouterPeer kThisNode = 0;
 constexpr RouterPeer kEnds = 2;  // numbers of the peers of both ends alternate
-constexpr std::uint16_t kVehiclesPort = 14555, kStationsPort = 14550;
+constexpr std::uint16_t kStationsPort = 14550;
 constexpr double kLook_s = 1.0;
 
 /// Numbers that no two peers of the router share.
@@ -89,7 +89,7 @@ void Link::open(const std::string& url, bool allow_remote, bridges::PollLoop& lo
   bridges::EndpointOptions options;
   options.url = url;
   options.allow_remote = allow_remote;
-  options.default_bind_port = kVehiclesPort;
+  options.default_bind_port = kDefaultBindPort;
   options.default_port = kStationsPort;
   ends_.push_back(std::make_unique<End>());
   End& end = *ends_.back();

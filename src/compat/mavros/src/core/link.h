@@ -23,6 +23,9 @@ using bridges::mavlink::Address;
 using bridges::mavlink::Message;
 using bridges::mavlink::Packet;
 
+/// Where an end listens whose URL has no port of this computer.
+inline constexpr std::uint16_t kDefaultBindPort = 14555;
+
 /// Which ends a link has.
 struct LinkOptions {
   std::string fcu_url;        ///< of the vehicle, see transport/url.h

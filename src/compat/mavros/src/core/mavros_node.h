@@ -16,18 +16,21 @@
 
 namespace trident::mavros {
 
-/// mavros_node: a vehicle that speaks MAVLink, as topics and services below the node's name.
+/// A vehicle that speaks MAVLink, as topics and services below a name: that of mavros_node, or one
+/// of several in its process.
 class MavrosNode {
  public:
-  /// Opens the link and makes the plugins; `loop` must outlive it. Throws Error naming a parameter
+  /// Opens the link and makes the plugins; `private_node`: its name. `loop` and `transforms` must
+  /// outlive it. Throws Error naming a parameter
   /// or a URL.
   MavrosNode(const ros::NodeHandle& private_node, bridges::NodePollLoop& loop,
-             const MavrosParams& params)
+             Transforms& transforms, const MavrosParams& params)
       : params_(params),
-        ros_(private_node, loop),
+        ros_(private_node, loop, transforms),
         vehicle_(params_, ros_.refusals(), loop.loop()),
         hub_{ros_, vehicle_, params_, {}},
-        packets_(vehicle_, loop) {
+        packets_(ros::NodeHandle(ros::names::parentNamespace(private_node.getNamespace())),
+                 vehicle_, loop) {
     follow_attitude(hub_);
     plugins_ = make_plugins(hub_);
     constexpr double kTick_s = 0.05;

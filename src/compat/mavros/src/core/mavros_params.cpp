@@ -53,6 +53,47 @@ void change_section(ros_utils::NodeParams& params, const std::string& name, cons
   params.set(name, *section);
 }
 
+/// A sensor with a wrong value is left out: the others, and the vehicle, do not need it.
+void read_distance_sensors(ros_utils::NodeParams& params, MavrosParams& result) {
+  const std::optional<ConfigNode> section = params.take("distance_sensor");
+  if (!section) return;
+  for (std::size_t i = 0; i < section->keys.size(); ++i) {
+    const std::string& name = section->keys[i];
+    if (name == "base_frame_id") continue;  // kept for files: of the transforms that are not sent
+    const std::string path = params.name_space() + "/distance_sensor/" + name;
+    try {
+      ros_utils::NodeParams own(section->items[i], path);
+      auto sensor = own.read<DistanceSensorParams>();
+      sensor.frame_id.insert(0, result.frame_prefix);
+      result.distance_sensor.emplace(name, sensor);
+      for (const std::string& warning : own.warnings()) params.add_warning(warning);
+    } catch (const ConfigError& error) {
+      result.problems.push_back(std::string("distance_sensor: this sensor is left out: ") +
+                                error.what());
+    }
+  }
+}
+
+/// The odometry is that of wheel0 and wheel1; files have those of all wheels.
+void drop_more_wheels(ros_utils::NodeParams& params) {
+  std::optional<ConfigNode> section = params.take("wheel_odometry");
+  if (!section) return;
+  ConfigNode kept = *section;
+  kept.keys.clear();
+  kept.key_lines.clear();
+  kept.items.clear();
+  for (std::size_t i = 0; i < section->keys.size(); ++i) {
+    const std::string& key = section->keys[i];
+    const bool is_wheel = key.rfind("wheel", 0) == 0 && key.size() > 5 &&
+                          key.find_first_not_of("0123456789", 5) == std::string::npos;
+    if (is_wheel && key != "wheel0" && key != "wheel1") continue;
+    kept.keys.push_back(key);
+    kept.key_lines.push_back(section->key_lines[i]);
+    kept.items.push_back(section->items[i]);
+  }
+  params.set("wheel_odometry", kept);
+}
+
 void check_time(const std::string& time) {
   const std::vector<std::string> legal{"auto", "sim", "fcu", "wall"};
   if (std::find(legal.begin(), legal.end(), time) != legal.end()) return;
@@ -68,7 +109,16 @@ std::string prefix_of(const std::string& node_name) {
 
 void prefix_frames(MavrosParams& params) {
   const std::string& prefix = params.frame_prefix;
-  params.imu.frame_id.insert(0, prefix);
+  WheelOdometryParams& wheels = params.wheel_odometry;
+  for (std::string* const frame :
+       {&params.imu.frame_id, &wheels.frame_id, &wheels.child_frame_id}) {
+    frame->insert(0, prefix);
+  }
+  for (TfParams* const tf : {&params.setpoint_position.tf, &params.setpoint_attitude.tf,
+                             &params.vision_pose.tf, &params.fake_gps.tf, &wheels.tf}) {
+    tf->frame_id.insert(0, prefix);
+    tf->child_frame_id.insert(0, prefix);
+  }
   for (PositionParams* const position : {&params.global_position, &params.local_position}) {
     for (std::string* const frame : {&position->frame_id, &position->child_frame_id,
                                      &position->tf.frame_id, &position->tf.child_frame_id}) {
@@ -87,16 +137,16 @@ MavrosParams read_mavros_params(ros_utils::NodeParams& params, const std::string
     if (key == "min_voltage") make_list(node);
   });
   accept_source_alone(params);
+  drop_more_wheels(params);
   auto result = params.read<MavrosParams>();
   if (!has_prefix) result.frame_prefix = prefix_of(node_name);
   prefix_frames(result);
   check_time(result.time.source);
+  read_distance_sensors(params, result);
   // Sections of plugins that need no parameters here, or that are messages alone.
-  params.accept({"param",     "safety_area",    "distance_sensor", "image",      "fake_gps",
-                 "gps_input", "landing_target", "mocap",           "mount",      "odometry",
-                 "px4flow",   "vision_pose",    "vision_speed",    "vibration",  "wheel_odometry",
-                 "camera",    "guided_target",  "obstacle",        "gcs_bridge", "hil",
-                 "gps_rtk",   "trajectory"});
+  params.accept({"param", "safety_area", "image", "gps_input", "landing_target", "mocap", "mount",
+                 "odometry", "px4flow", "vision_speed", "vibration", "camera", "guided_target",
+                 "obstacle", "gcs_bridge", "hil", "gps_rtk", "trajectory"});
   return result;
 }
 

@@ -3,35 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "core/distance_sensor_params.h"
+#include "core/extras_params.h"
+#include "core/tf_params.h"
 #include "trident_ros/node_params.h"
 
 namespace trident::mavros {
-
-/// Of a transform that a plugin sends.
-struct TfParams {
-  bool send = false;                         ///< whether it is sent
-  bool listen = false;                       ///< set-points from /tf: not supported, warned of
-  std::string frame_id = "map";              ///< parent
-  std::string child_frame_id = "base_link";  ///< child
-  std::string global_frame_id = "earth";     ///< kept for files; has no effect
-  bool send_fcu = false;                     ///< kept for files; has no effect
-  double rate_limit = 50.0;                  ///< kept for files; has no effect [Hz]
-
-  /// Lists the fields for the parameter reader and the reference.
-  template <class Archive>
-  void visit(Archive& ar) {
-    ar.field("send", send, "whether the transform is sent");
-    ar.field("listen", listen, "kept for files; set-points are taken from topics alone");
-    ar.field("frame_id", frame_id, "parent of the transform");
-    ar.field("child_frame_id", child_frame_id, "child of the transform");
-    ar.field("global_frame_id", global_frame_id, "kept for files; has no effect");
-    ar.field("send_fcu", send_fcu, "kept for files; has no effect");
-    ar.field("rate_limit", rate_limit, "kept for files; has no effect [Hz]");
-  }
-};
 
 /// Of the connection to the vehicle.
 struct ConnectionParams {
@@ -131,7 +112,15 @@ struct SetpointParams {
   bool reverse_thrust = false;          ///< thrust may be negative
   bool use_quaternion = false;          ///< attitude from setpoint_attitude/attitude
   double thrust_scaling = 1.0;          ///< of setpoint_raw/attitude
-  TfParams tf;                          ///< kept for files
+  TfParams tf;                          ///< that may be followed, in place of topics
+
+  /// Of a plugin that may follow a transform `map` -> `child`.
+  static SetpointParams following(const std::string& child) {
+    constexpr double kRate_hz = 50.0;
+    SetpointParams params;
+    params.tf = TfParams::followed(child, kRate_hz);
+    return params;
+  }
 
   /// Lists the fields for the parameter reader and the reference.
   template <class Archive>
@@ -141,7 +130,7 @@ struct SetpointParams {
     ar.field("reverse_thrust", reverse_thrust, "thrust may be negative");
     ar.field("use_quaternion", use_quaternion, "attitudes come from setpoint_attitude/attitude");
     ar.field("thrust_scaling", thrust_scaling, Range::positive(), "of setpoint_raw/attitude");
-    ar.field("tf", tf, "kept for files");
+    ar.field("tf", tf, "what setpoint_position and setpoint_attitude may follow");
   }
 };
 
@@ -208,15 +197,23 @@ struct MavrosParams {
   PositionParams global_position;              ///< global_position
   PositionParams local_position;               ///< local_position
   ImuParams imu;                               ///< imu
-  SetpointParams setpoint_position;            ///< setpoint_position
-  SetpointParams setpoint_velocity;            ///< setpoint_velocity
-  SetpointParams setpoint_accel;               ///< setpoint_accel
-  SetpointParams setpoint_attitude;            ///< setpoint_attitude
-  SetpointParams setpoint_raw;                 ///< setpoint_raw
-  SetpointParams setpoint_trajectory;          ///< setpoint_trajectory
-  CommandParams cmd;                           ///< command
-  MissionParams mission;                       ///< waypoint
-  RadioParams tdr_radio;                       ///< 3dr_radio
+  /// setpoint_position
+  SetpointParams setpoint_position = SetpointParams::following("target_position");
+  SetpointParams setpoint_velocity;  ///< setpoint_velocity
+  SetpointParams setpoint_accel;     ///< setpoint_accel
+  /// setpoint_attitude
+  SetpointParams setpoint_attitude = SetpointParams::following("target_attitude");
+  SetpointParams setpoint_raw;         ///< setpoint_raw
+  SetpointParams setpoint_trajectory;  ///< setpoint_trajectory
+  CommandParams cmd;                   ///< command
+  MissionParams mission;               ///< waypoint
+  RadioParams tdr_radio;               ///< 3dr_radio
+  FakeGpsParams fake_gps;              ///< fake_gps
+  WheelOdometryParams wheel_odometry;  ///< wheel_odometry
+  VisionPoseParams vision_pose;        ///< vision_pose_estimate
+  /// By their names: the sections of ~distance_sensor, which is read apart.
+  std::map<std::string, DistanceSensorParams> distance_sensor;
+  std::vector<std::string> problems;  ///< sentences about what is left out, for the log
 
   /// Lists the fields for the parameter reader and the reference.
   template <class Archive>
@@ -237,6 +234,9 @@ struct MavrosParams {
     ar.field("cmd", cmd, "command");
     ar.field("mission", mission, "waypoint");
     ar.field("tdr_radio", tdr_radio, "3dr_radio");
+    ar.field("fake_gps", fake_gps, "fake_gps");
+    ar.field("wheel_odometry", wheel_odometry, "wheel_odometry");
+    ar.field("vision_pose", vision_pose, "vision_pose_estimate");
   }
 
  private:
@@ -265,7 +265,8 @@ struct MavrosParams {
 /// Reads a node's parameters. Files of upstream are read as they are: a number with a C comment
 /// behind it, one voltage in place of a list, sections of plugins that do not exist here.
 /// `node_name` is absolute: its namespace is the prefix of frames where none is set. Throws
-/// ConfigError with the parameter, its value and the legal range.
+/// ConfigError with the parameter, its value and the legal range; a section of ~distance_sensor
+/// that cannot be used is left out and named in `problems`.
 MavrosParams read_mavros_params(ros_utils::NodeParams& params, const std::string& node_name);
 
 }  // namespace trident::mavros

@@ -73,8 +73,9 @@ std::vector<std::uint8_t> to_packet(const mavros_msgs::Mavlink& message) {
   return packet;
 }
 
-PacketTopics::PacketTopics(VehicleSide& vehicle, bridges::NodePollLoop& loop)
-    : from_(node_, "mavlink/from") {
+PacketTopics::PacketTopics(const ros::NodeHandle& node, VehicleSide& vehicle,
+                           bridges::NodePollLoop& loop)
+    : node_(node), from_(node_, "mavlink/from") {
   vehicle.on_packet([this](const Packet& packet) {
     if (from_.subscribers() > 0) from_.publish(to_ros(packet));
   });

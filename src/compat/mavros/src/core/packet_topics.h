@@ -23,7 +23,7 @@ std::vector<std::uint8_t> to_packet(const mavros_msgs::Mavlink& message);
 class PacketTopics {
  public:
   /// `vehicle` and `loop` must outlive it.
-  PacketTopics(VehicleSide& vehicle, bridges::NodePollLoop& loop);
+  PacketTopics(const ros::NodeHandle& node, VehicleSide& vehicle, bridges::NodePollLoop& loop);
 
  private:
   ros::NodeHandle node_;

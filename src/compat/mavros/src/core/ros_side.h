@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/transform_follower.h"
 #include "core/waiting_services.h"
 #include "trident_bridges_ros/node_poll_loop.h"
 #include "trident_bridges_ros/node_publisher.h"
@@ -21,11 +22,14 @@ namespace trident::mavros {
 /// thread.
 class RosSide {
  public:
-  /// `loop` must outlive it.
-  RosSide(const ros::NodeHandle& node, bridges::NodePollLoop& loop)
-      : node_(node), rare_(node), loop_(loop), waiting_(node, loop), refusals_(rare_) {
-    rare_.setCallbackQueue(loop.callback_queue());
-  }
+  /// `transforms`: of the process. Both must outlive it.
+  RosSide(const ros::NodeHandle& node, bridges::NodePollLoop& loop, Transforms& transforms)
+      : node_(node),
+        rare_(loop.served(node)),
+        loop_(loop),
+        transforms_(transforms),
+        waiting_(node, loop),
+        refusals_(rare_, node.getNamespace()) {}
   RosSide(const RosSide&) = delete;
   RosSide& operator=(const RosSide&) = delete;
   ~RosSide() {
@@ -70,6 +74,31 @@ class RosSide {
     arm(tickers_.back());
   }
 
+  /// Calls `handler` with each new pose of a transform, at most at its rate.
+  void follow(const TfParams& params, std::function<void(const FollowedPose&)> handler) {
+    ROS_INFO("%s: follows the transform %s -> %s", node_.getNamespace().c_str(),
+             params.frame_id.c_str(), params.child_frame_id.c_str());
+    auto rate = std::make_shared<FollowedRate>(params.rate_limit);
+    transforms_.on_change(refusals_, [this, params, rate, handler = std::move(handler)] {
+      const auto pose = transforms_.find(params);
+      if (pose && rate->is_due(pose->stamp)) handler(*pose);
+    });
+  }
+
+  /// Calls `handler` with the newest pose of a transform at its rate of wall time, the same one
+  /// again and again, until it is older than a second; a static one never is.
+  void repeat(const TfParams& params, std::function<void(const FollowedPose&)> handler) {
+    transforms_.on_change(refusals_, [] {});
+    every(1.0 / params.rate_limit, [this, params, handler = std::move(handler)] {
+      const auto pose = transforms_.find(params);
+      if (!pose) return;
+      const double age_s = pose->stamp.isZero() ? 0.0 : (ros::Time::now() - pose->stamp).toSec();
+      if (age_s <= kMaxAge_s) return handler(*pose);
+      refusals_.note("set-points refused", "transform to " + params.child_frame_id + ": it is " +
+                                               std::to_string(age_s) + " s old, legal: up to 1");
+    });
+  }
+
   /// Logs and counts a refusal of something that was asked for once.
   void refuse(const std::string& kind, const std::string& text) {
     ROS_ERROR("%s", text.c_str());
@@ -82,6 +111,7 @@ class RosSide {
 
  private:
   static constexpr std::uint32_t kQueue = 10;
+  static constexpr double kMaxAge_s = 1.0;
   struct Ticker {
     double period_s;
     std::function<void()> handler;
@@ -96,6 +126,7 @@ class RosSide {
 
   ros::NodeHandle node_, rare_;
   bridges::NodePollLoop& loop_;
+  Transforms& transforms_;
   WaitingServices waiting_;
   ros_utils::Refusals refusals_;
   std::vector<ros::ServiceServer> servers_;

@@ -35,6 +35,13 @@ EstimatedPose estimated(const geometry_msgs::Pose& pose) {
   return {to_eigen(pose.position), to_rotation(pose.orientation)};
 }
 
+/// NaN in the first field of MAVLink.
+Matrix6 unknown() {
+  Matrix6 covariance = Matrix6::Zero();
+  covariance(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  return covariance;
+}
+
 /// Where the vehicle is by somebody else: what the plugins of estimates share.
 class EstimatePlugin : public Plugin {
  public:
@@ -65,10 +72,15 @@ class EstimatePlugin : public Plugin {
 class VisionPose : public EstimatePlugin {
  public:
   explicit VisionPose(Hub& hub) : EstimatePlugin(hub, "vision_pose") {
+    const TfParams& tf = hub.params.vision_pose.tf;
+    if (tf.listen) {
+      hub.ros.follow(tf, [this](const auto& pose) {
+        send_pose(pose.stamp, {pose.p_m, pose.R_parent_child}, unknown());
+      });
+      return;
+    }
     hub.ros.subscribe<geometry_msgs::PoseStamped>("vision_pose/pose", [this](const auto& m) {
-      Matrix6 unknown = Matrix6::Zero();
-      unknown(0, 0) = std::numeric_limits<double>::quiet_NaN();
-      send_pose(m.header.stamp, estimated(m.pose), unknown);
+      send_pose(m.header.stamp, estimated(m.pose), unknown());
     });
     hub.ros.subscribe<geometry_msgs::PoseWithCovarianceStamped>(
         "vision_pose/pose_cov", [this](const auto& m) {
@@ -101,17 +113,19 @@ class VisionSpeed : public EstimatePlugin {
   explicit VisionSpeed(Hub& hub) : EstimatePlugin(hub, "vision_speed") {
     hub.ros.subscribe<geometry_msgs::TwistStamped>(
         "vision_speed/speed_twist",
-        [this](const auto& m) { send_speed(m.header.stamp, to_eigen(m.twist.linear)); });
+        [this](const auto& m) { send_speed(m.header.stamp, to_eigen(m.twist.linear), unknown()); });
     hub.ros.subscribe<geometry_msgs::TwistWithCovarianceStamped>(
-        "vision_speed/speed_twist_cov",
-        [this](const auto& m) { send_speed(m.header.stamp, to_eigen(m.twist.twist.linear)); });
+        "vision_speed/speed_twist_cov", [this](const auto& m) {
+          send_speed(m.header.stamp, to_eigen(m.twist.twist.linear),
+                     swap_world_covariance(to_matrix6(m.twist.covariance)));
+        });
     hub.ros.subscribe<geometry_msgs::Vector3Stamped>(
         "vision_speed/speed_vector",
-        [this](const auto& m) { send_speed(m.header.stamp, to_eigen(m.vector)); });
+        [this](const auto& m) { send_speed(m.header.stamp, to_eigen(m.vector), unknown()); });
   }
 
  private:
-  void send_speed(const ros::Time& stamp, const Eigen::Vector3d& v_m_s) {
+  void send_speed(const ros::Time& stamp, const Eigen::Vector3d& v_m_s, const Matrix6& covariance) {
     if (!accept(v_m_s)) return;
     const Eigen::Vector3d v = swap_world(v_m_s);
     mavlink_vision_speed_estimate_t payload{};
@@ -119,7 +133,10 @@ class VisionSpeed : public EstimatePlugin {
     payload.x = static_cast<float>(v.x());
     payload.y = static_cast<float>(v.y());
     payload.z = static_cast<float>(v.z());
-    payload.covariance[0] = std::numeric_limits<float>::quiet_NaN();  // not known
+    constexpr int kRows = 3;  // of the velocity, row by row
+    for (int i = 0; i < kRows * kRows; ++i) {
+      payload.covariance[i] = static_cast<float>(covariance(i / kRows, i % kRows));
+    }
     send(hub_.vehicle, payload);
   }
 };

@@ -161,12 +161,13 @@ class ImuPlugin : public Plugin {
 
 void follow_attitude(Hub& hub) {
   on<mavlink_attitude_t>(hub.vehicle, [&hub](const mavlink_attitude_t& p) {
+    hub.known.has_attitude = true;
     if (hub.known.has_quaternion) return;
     hub.known.R_world_body = swap_attitude(from_euler(p.roll, p.pitch, p.yaw));
     hub.known.w_body_rad_s = swap_body({p.rollspeed, p.pitchspeed, p.yawspeed});
   });
   on<mavlink_attitude_quaternion_t>(hub.vehicle, [&hub](const mavlink_attitude_quaternion_t& p) {
-    hub.known.has_quaternion = true;
+    hub.known.has_attitude = hub.known.has_quaternion = true;
     hub.known.R_world_body = swap_attitude(Eigen::Quaterniond(p.q1, p.q2, p.q3, p.q4).normalized());
     hub.known.w_body_rad_s = swap_body({p.rollspeed, p.pitchspeed, p.yawspeed});
   });

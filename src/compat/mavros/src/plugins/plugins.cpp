@@ -14,12 +14,21 @@ namespace trident::mavros {
 namespace {
 
 /// Names that lists of upstream have; their messages alone exist here, or they are older names.
-constexpr std::initializer_list<const char*> kMessagesAlone = {
-    "adsb",          "cam_imu_sync",  "camera",         "cellular_status",
-    "dummy",         "esc_telemetry", "fake_gps",       "guided_target",
-    "image_pub",     "imu_pub",       "landing_target", "mag_calibration_status",
-    "mount_control", "play_tune",     "terrain",        "tunnel",
-    "wheel_odometry"};
+constexpr std::initializer_list<const char*> kMessagesAlone = {"adsb",
+                                                               "cam_imu_sync",
+                                                               "camera",
+                                                               "cellular_status",
+                                                               "dummy",
+                                                               "esc_telemetry",
+                                                               "guided_target",
+                                                               "image_pub",
+                                                               "imu_pub",
+                                                               "landing_target",
+                                                               "mag_calibration_status",
+                                                               "mount_control",
+                                                               "play_tune",
+                                                               "terrain",
+                                                               "tunnel"};
 
 bool fits_any(const std::string& name, const std::vector<std::string>& globs) {
   return std::any_of(globs.begin(), globs.end(),
@@ -89,6 +98,8 @@ const std::vector<PluginEntry>& all_plugins() {
       {"log_transfer", make_log_transfer},
       {"px4flow", make_px4flow},
       {"rangefinder", make_rangefinder},
+      {"fake_gps", make_fake_gps},
+      {"wheel_odometry", make_wheel_odometry},
   };
   return kPlugins;
 }

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <mavros_msgs/DebugValue.h>
 #include <mavros_msgs/GPSRAW.h>
-#include <sensor_msgs/Range.h>
-#include <xmlrpcpp/XmlRpcValue.h>
 
-#include <cmath>
 #include <map>
 
 #include "core/conversions.h"
@@ -68,103 +65,6 @@ class GpsStatus : public Plugin {
   VehicleSide& vehicle_;
   std::array<std::unique_ptr<bridges::NodePublisher<mavros_msgs::GPSRAW>>, 2> raw_;
   std::array<std::unique_ptr<bridges::NodePublisher<mavros_msgs::RTKBaseline>>, 2> rtk_;
-};
-
-/// The sensors of ~distance_sensor: one topic for each, from or to the vehicle.
-class DistanceSensors : public Plugin {
- public:
-  explicit DistanceSensors(Hub& hub) : hub_(hub) {
-    XmlRpc::XmlRpcValue all;
-    hub.ros.node().getParam("distance_sensor", all);
-    if (all.getType() != XmlRpc::XmlRpcValue::TypeStruct) return;
-    for (auto& [name, section] : all) add(name, section);
-    on<mavlink_distance_sensor_t>(hub.vehicle, [this](const auto& p) { publish(p); });
-  }
-
- private:
-  struct Output {
-    std::string frame_id;
-    double field_of_view_rad;
-    std::unique_ptr<bridges::NodePublisher<sensor_msgs::Range>> topic;
-  };
-
-  /// A number of a section, whatever its type; `otherwise` where it is not set.
-  static double number(XmlRpc::XmlRpcValue& section, const char* key, double otherwise) {
-    if (!section.hasMember(key)) return otherwise;
-    XmlRpc::XmlRpcValue& value = section[key];
-    if (value.getType() == XmlRpc::XmlRpcValue::TypeInt) return static_cast<int&>(value);
-    return value.getType() == XmlRpc::XmlRpcValue::TypeDouble ? static_cast<double&>(value)
-                                                              : otherwise;
-  }
-  static std::string word(XmlRpc::XmlRpcValue& section, const char* key, const char* otherwise) {
-    if (!section.hasMember(key)) return otherwise;
-    XmlRpc::XmlRpcValue& value = section[key];
-    return value.getType() == XmlRpc::XmlRpcValue::TypeString ? static_cast<std::string&>(value)
-                                                              : otherwise;
-  }
-  static std::uint8_t orientation(const std::string& name) {
-    const std::map<std::string, std::uint8_t> known = {
-        {"NONE", MAV_SENSOR_ROTATION_NONE},         {"YAW_90", MAV_SENSOR_ROTATION_YAW_90},
-        {"YAW_180", MAV_SENSOR_ROTATION_YAW_180},   {"YAW_270", MAV_SENSOR_ROTATION_YAW_270},
-        {"PITCH_90", MAV_SENSOR_ROTATION_PITCH_90}, {"PITCH_270", MAV_SENSOR_ROTATION_PITCH_270}};
-    const auto found = known.find(name);
-    return found == known.end() ? std::uint8_t{MAV_SENSOR_ROTATION_PITCH_270} : found->second;
-  }
-
-  void add(const std::string& name, XmlRpc::XmlRpcValue& section) {
-    if (section.getType() != XmlRpc::XmlRpcValue::TypeStruct) return;
-    const auto id = static_cast<std::uint8_t>(number(section, "id", 0.0));
-    const std::string topic = "distance_sensor/" + name;
-    const bool is_input =
-        section.hasMember("subscriber") && static_cast<bool>(section["subscriber"]);
-    if (!is_input) {
-      outputs_[id] = {word(section, "frame_id", "base_link"), number(section, "field_of_view", 0.0),
-                      hub_.ros.advertise<sensor_msgs::Range>(topic)};
-      return;
-    }
-    const std::uint8_t facing = orientation(word(section, "orientation", "PITCH_270"));
-    hub_.ros.subscribe<sensor_msgs::Range>(
-        topic, [this, id, facing](const auto& message) { send_range(message, id, facing); });
-  }
-
-  void publish(const mavlink_distance_sensor_t& p) {
-    const auto found = outputs_.find(p.id);
-    if (found == outputs_.end()) return;
-    constexpr float kCentimeter = 0.01F;
-    sensor_msgs::Range range;
-    range.header.stamp = hub_.vehicle.stamp_ms(p.time_boot_ms);
-    range.header.frame_id = found->second.frame_id;
-    range.radiation_type = p.type == MAV_DISTANCE_SENSOR_LASER ? sensor_msgs::Range::INFRARED
-                                                               : sensor_msgs::Range::ULTRASOUND;
-    range.field_of_view = static_cast<float>(found->second.field_of_view_rad);
-    range.min_range = static_cast<float>(p.min_distance) * kCentimeter;
-    range.max_range = static_cast<float>(p.max_distance) * kCentimeter;
-    range.range = static_cast<float>(p.current_distance) * kCentimeter;
-    found->second.topic->publish(range);
-  }
-
-  void send_range(const sensor_msgs::Range& m, std::uint8_t id, std::uint8_t facing) {
-    const auto centimeters = [](float meters) {
-      constexpr double kPerMeter = 100.0, kMax = UINT16_MAX;
-      const double value = std::isfinite(meters) ? meters * kPerMeter : kMax;
-      return to_whole<std::uint16_t>(value);
-    };
-    mavlink_distance_sensor_t payload{};
-    payload.time_boot_ms = hub_.vehicle.boot_ms(m.header.stamp);
-    payload.min_distance = centimeters(m.min_range);
-    payload.max_distance = centimeters(m.max_range);
-    payload.current_distance = centimeters(m.range);
-    payload.type = m.radiation_type == sensor_msgs::Range::INFRARED
-                       ? MAV_DISTANCE_SENSOR_LASER
-                       : MAV_DISTANCE_SENSOR_ULTRASOUND;
-    payload.id = id;
-    payload.orientation = facing;
-    payload.covariance = UINT8_MAX;  // not known
-    send(hub_.vehicle, payload);
-  }
-
-  Hub& hub_;
-  std::map<std::uint8_t, Output> outputs_;
 };
 
 /// Values for debugging, from and to the vehicle.
@@ -271,9 +171,6 @@ class DebugValues : public Plugin {
 }  // namespace
 
 std::unique_ptr<Plugin> make_gps_status(Hub& hub) { return std::make_unique<GpsStatus>(hub); }
-std::unique_ptr<Plugin> make_distance_sensor(Hub& hub) {
-  return std::make_unique<DistanceSensors>(hub);
-}
 std::unique_ptr<Plugin> make_debug_value(Hub& hub) { return std::make_unique<DebugValues>(hub); }
 
 }  // namespace trident::mavros

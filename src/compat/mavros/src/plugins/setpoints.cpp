@@ -4,78 +4,46 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/TwistStamped.h>
 #include <geometry_msgs/Vector3Stamped.h>
-#include <mavros_msgs/SetMavFrame.h>
 #include <mavros_msgs/Thrust.h>
 
-#include <cmath>
-#include <map>
 #include <optional>
-#include <utility>
 
 #include "core/conversions.h"
 #include "core/setpoints.h"
 #include "core/typed_messages.h"
 #include "plugins/plugins.h"
+#include "plugins/setpoint_plugin.h"
 
 namespace trident::mavros {
 namespace {
-
-using mavros_msgs::SetMavFrame;
-
-/// What the plugins of set-points share: the frame, and refusals.
-class SetpointPlugin : public Plugin {
- public:
-  SetpointPlugin(Hub& hub, const SetpointParams& params, const std::string& name)
-      : hub_(hub), name_(name), frame_(frame_of_name(params.mav_frame)) {
-    if (params.tf.listen) {
-      ROS_WARN("%s/tf/listen: set-points are taken from topics alone", name.c_str());
-    }
-  }
-
- protected:
-  void serve_frame() {
-    hub_.ros.serve<SetMavFrame>(name_ + "/mav_frame", [this](const auto& request) {
-      SetMavFrame::Response response;
-      response.success = is_local_frame(request.mav_frame);
-      if (response.success != 0U) frame_ = request.mav_frame;
-      return response;
-    });
-  }
-  std::uint8_t frame() const { return frame_; }
-  /// Sends a set-point, or refuses it naming the field that is no number.
-  void send_local(const ros::Time& stamp, const LocalTarget& target) {
-    const std::string problem = problem_of(target);
-    if (!problem.empty()) return refuse(problem);
-    send_to_target(hub_.vehicle, local_payload(target, hub_.vehicle.boot_ms(stamp)));
-  }
-  void refuse(const std::string& problem) {
-    hub_.ros.refusals().note("set-points refused", name_ + ": " + problem);
-  }
-
-  Hub& hub_;
-
- private:
-  std::string name_;
-  std::uint8_t frame_;
-};
 
 class SetpointPosition : public SetpointPlugin {
  public:
   explicit SetpointPosition(Hub& hub)
       : SetpointPlugin(hub, hub.params.setpoint_position, "setpoint_position") {
     serve_frame();
+    const TfParams& tf = hub.params.setpoint_position.tf;
+    if (tf.listen) {
+      hub.ros.repeat(
+          tf, [this](const auto& pose) { send_pose(pose.stamp, pose.p_m, pose.R_parent_child); });
+      return;
+    }
     hub.ros.subscribe<geometry_msgs::PoseStamped>(
         "setpoint_position/local", [this](const auto& message) {
-          LocalTarget target = position_target(frame());
-          target.p_m = to_eigen(message.pose.position);
-          target.yaw = yaw_of(to_rotation(message.pose.orientation));
-          send_local(message.header.stamp, target);
+          send_pose(message.header.stamp, to_eigen(message.pose.position),
+                    to_rotation(message.pose.orientation));
         });
     hub.ros.subscribe<geographic_msgs::GeoPoseStamped>(
         "setpoint_position/global", [this](const auto& message) { send_global(message); });
   }
 
  private:
+  void send_pose(const ros::Time& stamp, const Eigen::Vector3d& p_m, const Eigen::Quaterniond& R) {
+    LocalTarget target = position_target(frame());
+    target.p_m = p_m;
+    target.yaw = yaw_of(R);
+    send_local(stamp, target);
+  }
   void send_global(const geographic_msgs::GeoPoseStamped& message) {
     const auto& place = message.pose.position;
     GlobalTarget target;
@@ -134,13 +102,14 @@ class SetpointAttitude : public SetpointPlugin {
       : SetpointPlugin(hub, hub.params.setpoint_attitude, "setpoint_attitude") {
     hub.ros.subscribe<mavros_msgs::Thrust>("setpoint_attitude/thrust",
                                            [this](const auto& message) { on_thrust(message); });
-    if (hub.params.setpoint_attitude.use_quaternion) {
+    const TfParams& tf = hub.params.setpoint_attitude.tf;
+    if (tf.listen) {
+      hub.ros.repeat(tf,
+                     [this](const auto& pose) { send_attitude(pose.stamp, pose.R_parent_child); });
+    } else if (hub.params.setpoint_attitude.use_quaternion) {
       hub.ros.subscribe<geometry_msgs::PoseStamped>(
           "setpoint_attitude/attitude", [this](const auto& message) {
-            AttitudeSetpoint target;
-            target.mask = kOnlyAttitude;
-            target.R_world_body = to_rotation(message.pose.orientation);
-            send_attitude(message.header.stamp, target);
+            send_attitude(message.header.stamp, to_rotation(message.pose.orientation));
           });
     } else {
       hub.ros.subscribe<geometry_msgs::TwistStamped>(
@@ -148,7 +117,7 @@ class SetpointAttitude : public SetpointPlugin {
             AttitudeSetpoint target;
             target.mask = kOnlyRates;
             target.w_body_rad_s = to_eigen(message.twist.angular);
-            send_attitude(message.header.stamp, target);
+            send_with_thrust(message.header.stamp, target);
           });
     }
   }
@@ -166,7 +135,13 @@ class SetpointAttitude : public SetpointPlugin {
     thrust_ = message.thrust;
     thrust_at_ = hub_.vehicle.now();
   }
-  void send_attitude(const ros::Time& stamp, AttitudeSetpoint target) {
+  void send_attitude(const ros::Time& stamp, const Eigen::Quaterniond& R_world_body) {
+    AttitudeSetpoint target;
+    target.mask = kOnlyAttitude;
+    target.R_world_body = R_world_body;
+    send_with_thrust(stamp, target);
+  }
+  void send_with_thrust(const ros::Time& stamp, AttitudeSetpoint target) {
     if (!thrust_at_ || (hub_.vehicle.now() - *thrust_at_).seconds() > kMaxAge_s) {
       return refuse("setpoint_attitude/thrust has not come for 1 s");
     }

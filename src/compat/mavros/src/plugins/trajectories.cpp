@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-#include <mavros_msgs/SetMavFrame.h>
 #include <mavros_msgs/Trajectory.h>
 #include <nav_msgs/Path.h>
 #include <std_srvs/Trigger.h>
@@ -14,6 +13,7 @@
 #include "core/setpoints.h"
 #include "core/typed_messages.h"
 #include "plugins/plugins.h"
+#include "plugins/setpoint_plugin.h"
 
 namespace trident::mavros {
 namespace {
@@ -48,10 +48,11 @@ LocalTarget target_of(const MultiDOFJointTrajectoryPoint& point, std::uint8_t fr
 
 /// setpoint_trajectory/local: the point that is due is sent about 20 times a second, the last one
 /// until another trajectory comes or the service reset is called.
-class SetpointTrajectory : public Plugin {
+class SetpointTrajectory : public SetpointPlugin {
  public:
   explicit SetpointTrajectory(Hub& hub)
-      : hub_(hub), frame_(frame_of_name(hub.params.setpoint_trajectory.mav_frame)) {
+      : SetpointPlugin(hub, hub.params.setpoint_trajectory, "setpoint_trajectory") {
+    serve_frame();
     desired_ = hub.ros.advertise<nav_msgs::Path>("setpoint_trajectory/desired");
     hub.ros.subscribe<MultiDOFJointTrajectory>("setpoint_trajectory/local",
                                                [this](const auto& message) { begin(message); });
@@ -62,13 +63,6 @@ class SetpointTrajectory : public Plugin {
       trajectory_.points.clear();
       return response;
     });
-    hub.ros.serve<mavros_msgs::SetMavFrame>(
-        "setpoint_trajectory/mav_frame", [this](const auto& request) {
-          mavros_msgs::SetMavFrame::Response response;
-          response.success = static_cast<std::uint8_t>(is_local_frame(request.mav_frame));
-          if (response.success != 0U) frame_ = request.mav_frame;
-          return response;
-        });
     hub.vehicle.on_tick([this](SimTime) { send_due(); });
   }
 
@@ -82,7 +76,7 @@ class SetpointTrajectory : public Plugin {
       if (point.time_from_start < last) return name + "time_from_start is before that before it";
       last = point.time_from_start;
       if (last.sec > kLongest_s) return name + "time_from_start is more than a day";
-      const std::string problem = problem_of(target_of(point, frame_));
+      const std::string problem = problem_of(target_of(point, frame()));
       if (!problem.empty()) return name + problem;
     }
     return message.points.empty() ? "it has no points" : "";
@@ -90,10 +84,7 @@ class SetpointTrajectory : public Plugin {
 
   void begin(const MultiDOFJointTrajectory& message) {
     const std::string problem = problem_of_trajectory(message);
-    if (!problem.empty()) {
-      hub_.ros.refusals().note("set-points refused", "setpoint_trajectory: " + problem);
-      return;
-    }
+    if (!problem.empty()) return refuse(problem);
     trajectory_ = message;
     begun_ = ros::Time::now();
     nav_msgs::Path path;
@@ -117,11 +108,9 @@ class SetpointTrajectory : public Plugin {
     for (const auto& point : trajectory_.points) {
       if (begun_ + point.time_from_start <= now) due = &point;
     }
-    send_to_target(hub_.vehicle, local_payload(target_of(*due, frame_), hub_.vehicle.boot_ms(now)));
+    send_local(now, target_of(*due, frame()));
   }
 
-  Hub& hub_;
-  std::uint8_t frame_;
   std::unique_ptr<bridges::NodePublisher<nav_msgs::Path>> desired_;
   MultiDOFJointTrajectory trajectory_;
   ros::Time begun_;

@@ -90,7 +90,7 @@ void VehicleHealth::publish_diagnostics() {
   array.header.stamp = ros::Time::now();
   const auto add = [&](const std::string& name, bool is_good, const std::string& text) {
     DiagnosticStatus status;
-    status.name = "mavros: " + name;
+    status.name = hub_.ros.node().getNamespace().substr(1) + ": " + name;
     status.level = is_good ? DiagnosticStatus::OK : DiagnosticStatus::WARN;
     status.message = text;
     array.status.push_back(status);
