@@ -13,6 +13,7 @@ import pytest
 from trident_eval.__main__ import main
 from trident_eval.core.client_flights import (
     RECORD,
+    client_rows,
     judge_client_flights,
     judge_piloted,
     read_client_record,
@@ -76,7 +77,9 @@ def test_a_vehicle_that_did_all_of_it_passes() -> None:
     ],
 )
 def test_what_a_vehicle_did_not_do_is_a_reason(changed: dict[str, Any], reason: str) -> None:
-    assert reasons(**changed) == [reason]
+    verdict = judge_client_flights(WHOLE, {"ugv1": ENTRY | changed}, {})
+    assert verdict.reasons == [reason]
+    assert [row.is_satisfied for row in client_rows(verdict.to_json())] == [False]
 
 
 def test_a_place_that_was_reported_but_not_passed_is_a_reason() -> None:

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "trident_base/angle.h"
 #include "trident_base/utc_clock.h"
 #include "trident_bridges/mavlink/frames.h"
 #include "trident_bridges/mavlink/whole_number.h"
@@ -12,33 +11,30 @@
 namespace trident::mavros {
 namespace {
 
+using bridges::mavlink::centimeters;
 using bridges::mavlink::to_whole;
 
-constexpr double kUnitsPerDegree = 1e7, kMilli = 1e3, kCenti = 1e2;
 constexpr double kStanding_m_s = 0.01;  // slower than that has no course
-constexpr double kEarly = 0.99;         // of a period: stamps of a pose at twice the rate jitter
+constexpr double kEarlyFix = 0.99;      // of a period: stamps of a pose at twice the rate jitter
 
 /// Clockwise from north [0.01 deg]; UINT16_MAX: not known.
 std::uint16_t course_of(const Eigen::Vector3d& v_ned_m_s) {
-  if (v_ned_m_s.head<2>().norm() < kStanding_m_s) return UINT16_MAX;
-  constexpr int kTurn = 36'000;
-  const double degrees = std::atan2(v_ned_m_s.y(), v_ned_m_s.x()) * 180.0 / kPi;
-  const auto centi = static_cast<int>(std::lround(degrees * kCenti));
-  return static_cast<std::uint16_t>((centi + kTurn) % kTurn);
+  if (!(v_ned_m_s.head<2>().norm() >= kStanding_m_s)) return UINT16_MAX;
+  return bridges::mavlink::centidegrees(std::atan2(v_ned_m_s.y(), v_ned_m_s.x()));
 }
 
 template <class Payload>
 void write_common(const FakeFix& fix, const FakeGpsParams& params, Payload& to) {
   to.time_usec = fix.time_us;
-  to.lat = to_whole<std::int32_t>(fix.place.latitude_deg * kUnitsPerDegree);
-  to.lon = to_whole<std::int32_t>(fix.place.longitude_deg * kUnitsPerDegree);
+  to.lat = bridges::mavlink::degrees_e7(fix.place.latitude_deg);
+  to.lon = bridges::mavlink::degrees_e7(fix.place.longitude_deg);
   to.fix_type = static_cast<std::uint8_t>(params.fix_type);
   to.satellites_visible = static_cast<std::uint8_t>(params.satellites_visible);
 }
 
 /// A dilution of precision; 0: not known.
 std::uint16_t centi_or_unknown(double value) {
-  return value > 0.0 ? to_whole<std::uint16_t>(value * kCenti) : UINT16_MAX;
+  return value > 0.0 ? to_whole<std::uint16_t>(100.0 * value) : UINT16_MAX;
 }
 
 std::uint16_t ignored(const FakeFix& fix, const FakeGpsParams& params) {
@@ -61,7 +57,7 @@ std::optional<FakeFix> FakeGps::at(SimTime stamp, const Eigen::Vector3d& p_map_m
   FakeFix fix;
   if (before_) {
     const double since_s = (stamp - before_->stamp).seconds();
-    if (since_s * params_.gps_rate < kEarly) return std::nullopt;
+    if (since_s * params_.gps_rate < kEarlyFix) return std::nullopt;
     fix.v_ned_m_s = bridges::mavlink::swap_world((p_map_m - before_->p_map_m) / since_s);
   }
   before_ = Before{stamp, p_map_m};
@@ -77,13 +73,13 @@ mavlink_hil_gps_t hil_gps_payload(const FakeFix& fix, const FakeGpsParams& param
   mavlink_hil_gps_t payload{};
   write_common(fix, params, payload);
   const Eigen::Vector3d v = fix.v_ned_m_s.value_or(Eigen::Vector3d::Zero());
-  payload.alt = to_whole<std::int32_t>((fix.place.altitude_m - geoid_separation_m) * kMilli);
+  payload.alt = bridges::mavlink::millimeters(fix.place.altitude_m - geoid_separation_m);
   payload.eph = centi_or_unknown(params.eph);
   payload.epv = centi_or_unknown(params.epv);
-  payload.vel = fix.v_ned_m_s ? to_whole<std::uint16_t>(v.head<2>().norm() * kCenti) : UINT16_MAX;
-  payload.vn = to_whole<std::int16_t>(v.x() * kCenti);
-  payload.ve = to_whole<std::int16_t>(v.y() * kCenti);
-  payload.vd = to_whole<std::int16_t>(v.z() * kCenti);
+  payload.vel = fix.v_ned_m_s ? to_whole<std::uint16_t>(100.0 * v.head<2>().norm()) : UINT16_MAX;
+  payload.vn = centimeters(v.x());
+  payload.ve = centimeters(v.y());
+  payload.vd = centimeters(v.z());
   payload.cog = course_of(v);
   return payload;
 }

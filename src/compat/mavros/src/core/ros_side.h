@@ -92,7 +92,8 @@ class RosSide {
     every(1.0 / params.rate_limit, [this, params, handler = std::move(handler)] {
       const auto pose = transforms_.find(params);
       if (!pose) return;
-      const double age_s = pose->stamp.isZero() ? 0.0 : (ros::Time::now() - pose->stamp).toSec();
+      const double age_s =
+          pose->stamp.isZero() ? 0.0 : ros::Time::now().toSec() - pose->stamp.toSec();
       if (age_s <= kMaxAge_s) return handler(*pose);
       refusals_.note("set-points refused", "transform to " + params.child_frame_id + ": it is " +
                                                std::to_string(age_s) + " s old, legal: up to 1");

@@ -12,8 +12,10 @@ namespace trident::mavros {
 
 bool FollowedRate::is_due(const ros::Time& stamp) {
   constexpr double kEarly = 0.99;  // of a period: stamps jitter
-  const bool is_early = newest_ && stamp >= *newest_ &&
-                        (stamp == *newest_ || (stamp - *newest_).toSec() < kEarly * period_s_);
+  // The difference of two times may be no ros::Duration.
+  const bool is_early =
+      newest_ && stamp >= *newest_ &&
+      (stamp == *newest_ || stamp.toSec() - newest_->toSec() < kEarly * period_s_);
   if (is_early) return false;
   newest_ = stamp;
   return true;

@@ -14,7 +14,7 @@
 namespace trident::mavros {
 namespace {
 
-std::uint16_t centimeters(float meters) {
+std::uint16_t range_cm(float meters) {
   constexpr double kPerMeter = 100.0, kMax = UINT16_MAX;
   return to_whole<std::uint16_t>(std::isfinite(meters) ? meters * kPerMeter : kMax);
 }
@@ -75,9 +75,9 @@ class DistanceSensors : public Plugin {
     const DistanceSensorParams& sensor = input.sensor;
     mavlink_distance_sensor_t payload{};
     payload.time_boot_ms = hub_.vehicle.boot_ms(m.header.stamp);
-    payload.min_distance = centimeters(m.min_range);
-    payload.max_distance = centimeters(m.max_range);
-    payload.current_distance = centimeters(m.range);
+    payload.min_distance = range_cm(m.min_range);
+    payload.max_distance = range_cm(m.max_range);
+    payload.current_distance = range_cm(m.range);
     payload.type = m.radiation_type == sensor_msgs::Range::INFRARED
                        ? MAV_DISTANCE_SENSOR_LASER
                        : MAV_DISTANCE_SENSOR_ULTRASOUND;

@@ -58,11 +58,12 @@ class WheelOdometryPlugin : public Plugin {
     }
   }
 
-  /// False, and a refusal: a wheel's value is no number.
+  /// False, and a refusal: a wheel's value is no number, or none of a wheel.
   bool accept(const std::vector<double>& values) {
+    constexpr double kMax = 1e9;
     const bool is_good = std::all_of(values.begin(), values.end(),
-                                     [](double value) { return std::isfinite(value); });
-    if (!is_good) hub_.ros.refusals().note("wheels refused", "a wheel's value is not finite");
+                                     [](double value) { return std::abs(value) <= kMax; });
+    if (!is_good) hub_.ros.refusals().note("wheels refused", "a wheel's value is beyond +-1e9");
     return is_good;
   }
   static void publish_raw(bridges::NodePublisher<WheelOdomStamped>* topic, const ros::Time& stamp,
