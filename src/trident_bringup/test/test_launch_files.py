@@ -22,6 +22,10 @@ REQUIRED_ARGS = {
     "localization.launch": ["map_file:=map.yaml"],
     "navigation.launch": ["map_file:=map.yaml"],
     "sitl_vehicle.launch": ["autopilot:=px4", "instance:=0"],
+    "sitl.launch": [
+        *("autopilot:=px4", "vehicles:=1", "stand_in:=false", "world:=px4", "duration:=1"),
+        *("real_time_factor:=0", "lockstep_policy:=wait", "seed:=0", "gui:=false"),
+    ],
     **{
         f"coast_{kind}.launch": [
             f"ns:={kind}1",
