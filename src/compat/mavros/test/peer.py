@@ -16,7 +16,7 @@ from mavros_msgs.msg import State
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 from pymavlink.generator.mavcrc import x25crc
-from trident.testing import Ros, eventually, program, recorder
+from trident.testing import Process, Ros, eventually, program, recorder
 from trident_base.ports import free_port
 
 _BEAT_S = 0.2
@@ -115,6 +115,12 @@ class Peer:
         self._link.close()
 
 
+def wait_for_connection(name: str, node: Process) -> None:
+    """Return when a vehicle of a node has its HEARTBEATs."""
+    with recorder(f"{name}/state", State) as states:
+        eventually(lambda: bool(states.messages and states.messages[-1].connected), node.log)
+
+
 @contextmanager
 def connected_peer(ros: Ros, parameters: dict[str, Any]) -> Iterator[Peer]:
     """A vehicle that beats, and /uav1/mavros with these parameters that is connected to it.
@@ -127,8 +133,7 @@ def connected_peer(ros: Ros, parameters: dict[str, Any]) -> Iterator[Peer]:
     ros.set_param("/uav1/mavros", {"fcu_url": f"udp://:{own}@127.0.0.1:{far}", **parameters})
     one = Peer(far, own)
     node = ros.launch([program("mavros", "mavros_node"), "__name:=mavros", "__ns:=/uav1"])
-    with recorder("/uav1/mavros/state", State) as states:
-        eventually(lambda: bool(states.messages and states.messages[-1].connected), node.log)
+    wait_for_connection("/uav1/mavros", node)
     yield one
     one.close()
     ros.clean()

@@ -9,10 +9,9 @@ from collections.abc import Iterator
 import pytest
 import rospy
 from geometry_msgs.msg import PoseStamped
-from mavros_msgs.msg import State
 from mavros_msgs.srv import StreamRate
-from peer import Peer
-from trident.testing import Ros, eventually, program, recorder
+from peer import Peer, wait_for_connection
+from trident.testing import Ros, program, recorder
 from trident_base.ports import free_port
 
 NAMES = ("uav1", "usv1")
@@ -30,8 +29,7 @@ def peers(ros: Ros) -> Iterator[dict[str, Peer]]:
         peers[name] = Peer(far, own)
     node = ros.launch([program("mavros", "mavros_node"), *WORDS])
     for name in NAMES:
-        with recorder(f"/fleet/{name}/mavros/state", State) as states:
-            eventually(lambda s=states: bool(s.messages and s.messages[-1].connected), node.log)
+        wait_for_connection(f"/fleet/{name}/mavros", node)
     yield peers
     for peer in peers.values():
         peer.close()
