@@ -50,7 +50,7 @@ TEST(WheelOdometry, AnOriginBehindTheAxleSwingsToTheRight) {
   EXPECT_NEAR(motion->twist.y(), -0.5 * 2.0, 1e-12);
 }
 
-TEST(WheelOdometry, TurnsPerMinuteAreWaysByTheRadius) {
+TEST(WheelOdometry, TurnsPerMinuteAreDistancesByTheRadius) {
   WheelOdometry odometry(two_wheels());
   odometry.add_turns({0.0, 0.0}, at_s(1.0));
   const auto motion = odometry.add_turns({120.0, 120.0}, at_s(2.0));  // 60 on average
@@ -59,26 +59,26 @@ TEST(WheelOdometry, TurnsPerMinuteAreWaysByTheRadius) {
 }
 
 TEST(WheelOdometry, ItsCovarianceIsThatOfDisturbedWheels) {
-  // Central differences of the end by the ways of each wheel in each step.
+  // Central differences of the end by the travel of each wheel in each step.
   const auto end = [](std::size_t changed, double by) {
     WheelOdometry odometry(two_wheels(0.4));
     odometry.add_distances({0.0, 0.0}, at_s(0.0));
     std::optional<WheelMotion> motion;
     double d[2] = {0.0, 0.0};
-    const double ways[4] = {0.2, 0.31, 0.25, 0.25};
+    const double travel[4] = {0.2, 0.31, 0.25, 0.25};
     for (std::size_t i = 0; i < 4; ++i) {
-      d[i % 2] += ways[i] + (i == changed ? by : 0.0);
+      d[i % 2] += travel[i] + (i == changed ? by : 0.0);
       if (i % 2 == 1) motion = odometry.add_distances({d[0], d[1]}, at_s(i));
     }
     return *motion;
   };
-  constexpr double kStep = 1e-5, kWaySigma_m = 0.1;  // 0.1 m/s, first for 1 s, then for 2 s
+  constexpr double kStep = 1e-5, kTravelSigma_m = 0.1;  // 0.1 m/s, first for 1 s, then for 2 s
   Eigen::Matrix3d expected = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < 4; ++i) {
     const SE2 plus = end(i, kStep).T_odom_base, minus = end(i, -kStep).T_odom_base;
     const Eigen::Vector3d by(plus.p.x() - minus.p.x(), plus.p.y() - minus.p.y(),
                              plus.angle - minus.angle);
-    const double sigma = kWaySigma_m * (i < 2 ? 1.0 : 2.0) / (2.0 * kStep);
+    const double sigma = kTravelSigma_m * (i < 2 ? 1.0 : 2.0) / (2.0 * kStep);
     expected += sigma * sigma * by * by.transpose();
   }
   EXPECT_NEAR((end(4, 0.0).pose_covariance - expected).norm(), 0.0, 1e-8);

@@ -19,7 +19,7 @@ inline double wrap_to_pi(double angle) {
   return wrapped == -kPi ? kPi : wrapped;
 }
 
-/// The same angle in [0, 360) degrees, as bearings are told [deg].
+/// The same angle in [0, 360) degrees, as bearings are given [deg].
 inline double wrap_to_360(double angle_deg) {
   const double wrapped = std::fmod(angle_deg, 360.0);
   return wrapped < 0.0 ? std::fmod(wrapped + 360.0, 360.0) : wrapped;

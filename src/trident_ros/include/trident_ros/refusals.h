@@ -21,7 +21,7 @@ namespace trident::ros_utils {
 /// each. From any thread.
 class Refusals {
  public:
-  /// Advertises /diagnostics. `owner`: absolute name that is told in place of the node's, as of a
+  /// Advertises /diagnostics. `owner`: absolute name that is shown in place of the node's, as of a
   /// part that could be a node of its own.
   explicit Refusals(ros::NodeHandle& node, const std::string& owner = ros::this_node::getName());
 

@@ -17,7 +17,7 @@ namespace trident::mavros {
 struct Known {
   Eigen::Quaterniond R_world_body = Eigen::Quaterniond::Identity();  ///< attitude
   Eigen::Vector3d w_body_rad_s = Eigen::Vector3d::Zero();            ///< angular velocity
-  bool has_attitude = false;        ///< the vehicle has told its attitude
+  bool has_attitude = false;        ///< the vehicle has sent its attitude
   bool has_quaternion = false;      ///< ATTITUDE_QUATERNION comes: ATTITUDE is not needed
   double geoid_separation_m = 0.0;  ///< ellipsoid to mean sea level, up; 0 where nobody says
 };

@@ -76,24 +76,24 @@ std::optional<WheelMotion> WheelOdometry::add_distances(const std::vector<double
 std::optional<WheelMotion> WheelOdometry::add_turns(const std::vector<double>& rpm, SimTime time) {
   const std::optional<Step> step = advance(rpm, time);
   if (!step) return std::nullopt;
-  const auto way = [&](std::size_t i, double radius_m) {
+  const auto travel = [&](std::size_t i, double radius_m) {
     constexpr double kPerMinute_rad_s = 2.0 * kPi / 60.0;
     return 0.5 * (rpm[i] + step->before[i]) * kPerMinute_rad_s * radius_m * step->dt_s;
   };
-  const double first = way(0, wheel0_.radius);
-  return drive(first, is_single_ ? first : way(1, wheel1_.radius), step->dt_s);
+  const double first = travel(0, wheel0_.radius);
+  return drive(first, is_single_ ? first : travel(1, wheel1_.radius), step->dt_s);
 }
 
-WheelMotion WheelOdometry::drive(double way0_m, double way1_m, double dt_s) {
+WheelMotion WheelOdometry::drive(double travel0_m, double travel1_m, double dt_s) {
   const double apart =
       is_single_ ? 1.0 : wheel1_.y - wheel0_.y;  // positive: wheel 1 is the right one
   const WheelArc arc =
-      apart > 0.0 ? WheelArc(way0_m, way1_m, apart) : WheelArc(way1_m, way0_m, -apart);
+      apart > 0.0 ? WheelArc(travel0_m, travel1_m, apart) : WheelArc(travel1_m, travel0_m, -apart);
   const double yaw = T_odom_axle_.angle;
   const Eigen::Matrix3d by_pose = arc.jacobian_pose(yaw);
-  const Eigen::Matrix<double, 3, 2> by_way = arc.jacobian_travel(yaw);
+  const Eigen::Matrix<double, 3, 2> by_travel = arc.jacobian_travel(yaw);
   axle_covariance_ = by_pose * axle_covariance_ * by_pose.transpose() +
-                     wheel_variance_m2_s2_ * dt_s * dt_s * by_way * by_way.transpose();
+                     wheel_variance_m2_s2_ * dt_s * dt_s * by_travel * by_travel.transpose();
   T_odom_axle_ = arc.applied_to(T_odom_axle_);
 
   const SE2 T_axle_base = T_base_axle_.inverse();
@@ -104,7 +104,7 @@ WheelMotion WheelOdometry::drive(double way0_m, double way1_m, double dt_s) {
   WheelMotion motion;
   motion.T_odom_base = T_odom_axle_ * T_axle_base;
   motion.pose_covariance = by_axle * axle_covariance_ * by_axle.transpose();
-  const double speed = 0.5 * (way0_m + way1_m) / dt_s, turn_rate = arc.turn_rad / dt_s;
+  const double speed = 0.5 * (travel0_m + travel1_m) / dt_s, turn_rate = arc.turn_rad / dt_s;
   const Eigen::Vector2d& to_base = T_axle_base.p;
   motion.twist = {speed - turn_rate * to_base.y(), turn_rate * to_base.x(), turn_rate};
   const double speed_variance = 0.5 * wheel_variance_m2_s2_;

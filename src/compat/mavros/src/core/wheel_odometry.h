@@ -42,7 +42,7 @@ class WheelOdometry {
     double dt_s;
   };
   std::optional<Step> advance(const std::vector<double>& values, SimTime time);
-  WheelMotion drive(double way0_m, double way1_m, double dt_s);
+  WheelMotion drive(double travel0_m, double travel1_m, double dt_s);
 
   WheelParams wheel0_, wheel1_;
   bool is_single_;

@@ -97,7 +97,7 @@ class WheelOdometryPlugin : public Plugin {
     publish(stamp, odometry_->add_distances(distance_m, time));
   }
 
-  /// Before the vehicle has told its heading, the odometry has no pose.
+  /// Before the vehicle has sent its heading, the odometry has no pose.
   void follow_yaw() {
     if (has_yaw_ || !hub_.known.has_attitude) return;
     has_yaw_ = true;
