@@ -43,6 +43,7 @@ endif()
 
 add_executable(nmea_codec_bench benchmark/nmea_codec_bench.cpp)
 target_link_libraries(nmea_codec_bench PRIVATE trident_bridges_nmea)
+install(TARGETS nmea_codec_bench RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 
 add_executable(nmea_replay programs/nmea_replay.cpp)
 target_link_libraries(nmea_replay PRIVATE trident_bridges_nmea trident_bridges_transport)

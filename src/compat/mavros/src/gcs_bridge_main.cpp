@@ -33,8 +33,8 @@ class GcsBridge {
     endpoint_ = bridges::open_endpoint(options, loop.loop(), std::move(events));
     from_ = loop.subscribe<mavros_msgs::Mavlink>(
         node, "mavlink/from", kQueue, [this](const mavros_msgs::Mavlink& message) {
-          const std::vector<std::uint8_t> packet = to_packet(message);
-          if (!packet.empty()) endpoint_->send_to_all(bridges::Bytes(packet));
+          to_packet(message, packet_);
+          if (!packet_.empty()) endpoint_->send_to_all(bridges::Bytes(packet_));
         });
     ROS_INFO("gcs_bridge: %s", endpoint_->name().c_str());
   }
@@ -42,11 +42,16 @@ class GcsBridge {
  private:
   void pass_on(bridges::Bytes bytes) {
     parser_.feed(bytes);
-    while (const auto packet = parser_.next()) to_.publish(to_ros(*packet));
+    while (const auto packet = parser_.next()) {
+      to_ros(*packet, message_);
+      to_.publish(message_);
+    }
   }
 
   bridges::NodePublisher<mavros_msgs::Mavlink> to_;
   bridges::mavlink::PacketParser parser_;
+  mavros_msgs::Mavlink message_;
+  std::vector<std::uint8_t> packet_;
   std::unique_ptr<bridges::Endpoint> endpoint_;
   std::unique_ptr<ros_utils::DirectSubscription> from_;
 };

@@ -165,20 +165,28 @@ TEST(Packets, ComeBackByteForByte) {
   parser.feed_datagram(bytes);
   const auto packet = parser.next();
   ASSERT_TRUE(packet);
-  const auto message = to_ros(*packet);
+  mavros_msgs::Mavlink message;
+  message.payload64 = {1, 2, 3};  // of a longer packet that was here before
+  message.signature = {4};
+  to_ros(*packet, message);
   EXPECT_EQ(message.len, 9);
   EXPECT_EQ(message.payload64.size(), 2U);
   EXPECT_EQ(message.payload64[0] & 0xFFFFFFFFU, 0x01020304U);
-  const std::vector<std::uint8_t> back = to_packet(message);
+  std::vector<std::uint8_t> back{5};
+  to_packet(message, back);
   EXPECT_EQ(back, std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
 }
 
 TEST(Packets, AMessageThatIsNoPacketIsEmpty) {
   mavros_msgs::Mavlink message;
-  EXPECT_TRUE(to_packet(message).empty());
+  std::vector<std::uint8_t> packet{5};
+  to_packet(message, packet);
+  EXPECT_TRUE(packet.empty());
   message.magic = mavros_msgs::Mavlink::MAVLINK_V20;
   message.len = 9;  // and no payload
-  EXPECT_TRUE(to_packet(message).empty());
+  packet = {5};
+  to_packet(message, packet);
+  EXPECT_TRUE(packet.empty());
 }
 
 TEST(PluginLists, ABlacklistedPluginIsNotLoadedUnlessItIsWhitelisted) {

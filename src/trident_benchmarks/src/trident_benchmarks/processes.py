@@ -152,6 +152,12 @@ class Processes:
         finally:
             signal.signal(signal.SIGINT, before)
 
+    def stop_started(self, names: Sequence[str]) -> None:
+        """Ends those of these names, the last first; a process that was not started is no error."""
+        for name, process in reversed(self._running):
+            if name in names:
+                self.stop(process)
+
     @staticmethod
     def stop(process: subprocess.Popen[bytes]) -> None:
         """Ends one process and its descendants."""

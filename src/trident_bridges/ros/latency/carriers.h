@@ -14,16 +14,15 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <string>
+#include <type_traits>
 
+#include "probe_options.h"
+#include "tlog_carrier.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
 
 namespace trident::bridges {
-
-/// No number: the message is not one of the source's.
-inline constexpr std::uint64_t kNoNumber = std::numeric_limits<std::uint64_t>::max();
 
 /// The number nearest to `value`; kNoNumber: it is no whole one within 0.1 (of its step).
 inline std::uint64_t number_near(double value) {
@@ -90,16 +89,33 @@ struct NavSatFixCarrier {
   }
 };
 
-/// Calls `work` with a carrier of this name as its argument. Throws Error for an unknown one.
+/// A carrier of these options. Throws Error as its constructor does.
+template <class Carrier>
+Carrier make_carrier(const ProbeOptions& options) {
+  if constexpr (std::is_constructible_v<Carrier, const ProbeOptions&>) {
+    return Carrier(options);
+  } else {
+    return Carrier();
+  }
+}
+
+/// A type as an argument.
+template <class Type>
+struct TypeOf {
+  using type = Type;
+};
+
+/// Calls `work` with the TypeOf of the carrier of this name. Throws Error for an unknown one.
 template <class Work>
 int with_carrier(const std::string& name, Work work) {
-  if (name == "bytes") return work(BytesCarrier());
-  if (name == "float32") return work(FloatCarrier<std_msgs::Float32>());
-  if (name == "float64") return work(FloatCarrier<std_msgs::Float64>());
-  if (name == "odometry") return work(OdometryCarrier());
-  if (name == "nav_sat_fix") return work(NavSatFixCarrier());
-  throw Error("--message " +
-              unknown_name_text(name, {"bytes", "float32", "float64", "odometry", "nav_sat_fix"}));
+  if (name == "bytes") return work(TypeOf<BytesCarrier>());
+  if (name == "float32") return work(TypeOf<FloatCarrier<std_msgs::Float32>>());
+  if (name == "float64") return work(TypeOf<FloatCarrier<std_msgs::Float64>>());
+  if (name == "odometry") return work(TypeOf<OdometryCarrier>());
+  if (name == "nav_sat_fix") return work(TypeOf<NavSatFixCarrier>());
+  if (name == "tlog") return work(TypeOf<TlogCarrier>());
+  throw Error("--message " + unknown_name_text(name, {"bytes", "float32", "float64", "odometry",
+                                                      "nav_sat_fix", "tlog"}));
 }
 
 }  // namespace trident::bridges

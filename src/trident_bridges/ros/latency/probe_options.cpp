@@ -34,6 +34,7 @@ Setters setters_of(ProbeOptions& options) {
           {"--in", text(options.in)},
           {"--out", text(options.out)},
           {"--url", text(options.url)},
+          {"--tlog", text(options.tlog)},
           {"--rate", number("--rate", options.rate, 0.0, 1e6)},
           {"--count", count("--count", options.count, 1, 100'000'000)},
           {"--window", count("--window", options.window, 1, 1'000'000)},

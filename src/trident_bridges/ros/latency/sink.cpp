@@ -24,11 +24,12 @@ template <class Carrier>
 int sink(const ProbeOptions& options) {
   using Message = typename Carrier::Message;
   LatencyRecord record(options.record);
+  auto carrier = make_carrier<Carrier>(options);
   ros::NodeHandle node;
   const ros::Subscriber subscriber = subscribe_without_delay<Message>(
-      node, options.topic, [&record](const boost::shared_ptr<Message const>& message) {
+      node, options.topic, [&record, &carrier](const boost::shared_ptr<Message const>& message) {
         const std::int64_t now_ns = monotonic_ns();
-        record.note_received(Carrier::number(*message), now_ns);
+        record.note_received(carrier.number(*message), now_ns);
       });
   while (ros::ok() && record.state() != LatencyRecord::kDone) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kLookAtState_s));
@@ -52,12 +53,12 @@ int relay(const ProbeOptions& options) {
 
 int run_sink(const ProbeOptions& options) {
   return with_carrier(options.message,
-                      [&](auto carrier) { return sink<decltype(carrier)>(options); });
+                      [&](auto carrier) { return sink<typename decltype(carrier)::type>(options); });
 }
 
 int run_relay(const ProbeOptions& options) {
   return with_carrier(options.message, [&](auto carrier) {
-    return relay<typename decltype(carrier)::Message>(options);
+    return relay<typename decltype(carrier)::type::Message>(options);
   });
 }
 

@@ -28,6 +28,7 @@ class Source {
  public:
   explicit Source(const ProbeOptions& options)
       : options_(options),
+        carrier_(make_carrier<Carrier>(options)),
         record_(options.record),
         count_(std::min(options.count, record_.capacity() - 1)),
         publisher_(node_.advertise<typename Carrier::Message>(options.topic, kProbeQueue)) {}
@@ -55,7 +56,7 @@ class Source {
 
  private:
   void send(std::uint64_t number) {
-    Carrier::put(number, options_.size, message_);
+    carrier_.put(number, options_.size, message_);
     record_.note_sent(number, monotonic_ns());
     ++sent_;
     publisher_.publish(message_);
@@ -66,7 +67,7 @@ class Source {
         monotonic_ns() + static_cast<std::int64_t>(1e9 * options_.limit_s);
     while (ros::ok() && monotonic_ns() < limit_ns) {
       if (publisher_.getNumSubscribers() > 0) {
-        Carrier::put(0, options_.size, message_);
+        carrier_.put(0, options_.size, message_);
         publisher_.publish(message_);
       }
       sleep_until(monotonic_ns() + kFirstPeriod_ns);
@@ -93,6 +94,7 @@ class Source {
   }
 
   const ProbeOptions& options_;
+  Carrier carrier_;
   LatencyRecord record_;
   std::uint64_t count_, sent_ = 0, lost_ = 0;
   typename Carrier::Message message_;
@@ -104,7 +106,9 @@ class Source {
 
 int run_source(const ProbeOptions& options) {
   return with_carrier(options.message,
-                      [&](auto carrier) { return Source<decltype(carrier)>(options).run(); });
+                      [&](auto carrier) {
+                        return Source<typename decltype(carrier)::type>(options).run();
+                      });
 }
 
 }  // namespace trident::bridges

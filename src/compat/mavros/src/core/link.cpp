@@ -35,9 +35,10 @@ bool has_datagrams(const std::string& url) {
 
 SimTime wall_time(const bridges::PollLoop& loop) { return SimTime::from_seconds(loop.now_s()); }
 
-bridges::mavlink::RouterOptions router_options() {
+bridges::mavlink::RouterOptions router_options(double max_peer_rate) {
   bridges::mavlink::RouterOptions options;
   options.accept_mavlink1 = true;
+  options.max_rate_hz = max_peer_rate;
   return options;
 }
 
@@ -69,26 +70,28 @@ Link::Link(const LinkOptions& options, bridges::PollLoop& loop, Events events)
       events_(std::move(events)),
       key_(options.signing_key_file),
       router_(
-          router_options(), [this](RouterPeer peer, Bytes packet) { pass_on(peer, packet); },
+          router_options(options.max_peer_rate),
+          [this](RouterPeer peer, Bytes packet) { pass_on(peer, packet); },
           events_.warning),
       parser_(true),
       writer_(key_.signer()) {
   router_.add_peer(kThisNode, "this node");
   // What a vehicle answers to a ground station shows that its mission has changed.
   router_.let_hear_all(kThisNode);
-  open(options.fcu_url, options.allow_remote, loop);
-  if (!options.gcs_url.empty()) open(options.gcs_url, options.allow_remote, loop);
+  open(options.fcu_url, options, loop);
+  if (!options.gcs_url.empty()) open(options.gcs_url, options, loop);
   forget_silent_ids(loop);
 }
 
 Link::~Link() { loop_.cancel(next_look_); }
 
-void Link::open(const std::string& url, bool allow_remote, bridges::PollLoop& loop) {
+void Link::open(const std::string& url, const LinkOptions& link, bridges::PollLoop& loop) {
   const std::size_t number = ends_.size();
   const bool is_datagram = has_datagrams(url);
   bridges::EndpointOptions options;
   options.url = url;
-  options.allow_remote = allow_remote;
+  options.allow_remote = link.allow_remote;
+  options.max_peer_rate = link.max_peer_rate;
   options.default_bind_port = kDefaultBindPort;
   options.default_port = kStationsPort;
   ends_.push_back(std::make_unique<End>());
@@ -106,6 +109,7 @@ void Link::open(const std::string& url, bool allow_remote, bridges::PollLoop& lo
     events_.warning(end.endpoint->name() + ": " + reason);
   };
   events.warning = events_.warning;
+  events.notice = events_.notice;
   end.endpoint = bridges::open_endpoint(options, loop, std::move(events));
 }
 
@@ -124,8 +128,9 @@ void Link::pass_on(RouterPeer peer, Bytes packet) {
 }
 
 void Link::hear() {
-  const std::vector<std::uint8_t> packets = std::exchange(inbox_, {});
-  parser_.feed_datagram(bridges::Bytes(packets));
+  heard_.swap(inbox_);
+  inbox_.clear();
+  parser_.feed_datagram(bridges::Bytes(heard_));
   while (const auto found = parser_.next()) {
     const std::string refusal = key_.refusal(*found);
     refusal.empty() ? events_.received(*found) : events_.refused(refusal);

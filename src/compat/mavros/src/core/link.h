@@ -31,6 +31,7 @@ struct LinkOptions {
   std::string fcu_url;        ///< of the vehicle, see transport/url.h
   std::string gcs_url;        ///< of the ground station; empty: has none
   bool allow_remote = false;  ///< may bind or connect to what is not loopback
+  double max_peer_rate = 20'000.0;  ///< packets of a peer, and of this node [1/s]; more are dropped
   /// 64 hexadecimal digits: what is sent is signed, and what this node hears must be; empty: none.
   std::string signing_key_file;
 };
@@ -59,6 +60,7 @@ class Link {
   struct Events {
     std::function<void(const Packet&)> received;           ///< what this node is to hear
     std::function<void(const std::string& text)> warning;  ///< a sentence for the log
+    std::function<void(const std::string& text)> notice;   ///< what was opened, with which buffers
     /// A packet is dropped because of its signature; the text says why.
     std::function<void(const std::string& text)> refused;
   };
@@ -79,7 +81,7 @@ class Link {
   struct End {
     std::unique_ptr<bridges::Endpoint> endpoint;
   };
-  void open(const std::string& url, bool allow_remote, bridges::PollLoop& loop);
+  void open(const std::string& url, const LinkOptions& options, bridges::PollLoop& loop);
   void forget_silent_ids(bridges::PollLoop& loop);
   /// Reports what came for this node, once the router is done with it: hearing makes it send.
   void hear();
@@ -93,6 +95,7 @@ class Link {
   bridges::mavlink::PacketWriter writer_;
   std::vector<std::unique_ptr<End>> ends_;
   std::vector<std::uint8_t> inbox_;  // whole packets for this node
+  std::vector<std::uint8_t> heard_;  // the same, of which it hears now
   std::uint64_t next_look_ = 0;
 };
 

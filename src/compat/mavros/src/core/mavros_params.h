@@ -185,6 +185,7 @@ struct MavrosParams {
   int target_component_id = 1;                 ///< of the vehicle
   bool startup_px4_usb_quirk = false;          ///< kept for files; has no effect
   bool allow_remote = false;                   ///< other computers may be reached
+  double max_peer_rate = 20'000.0;             ///< packets of a peer [1/s]; more are dropped
   std::string signing_key_file;                ///< signs, and asks for signatures; empty: none
   std::string frame_prefix;                    ///< before all frame ids; not set: by the name
   std::vector<std::string> plugin_blacklist;   ///< globs of names that are not loaded
@@ -251,6 +252,8 @@ struct MavrosParams {
     ar.field("target_component_id", target_component_id, Range{1, 255}, "of the vehicle");
     ar.field("startup_px4_usb_quirk", startup_px4_usb_quirk, "kept for files; has no effect");
     ar.field("allow_remote", allow_remote, "may bind or connect to what is not loopback");
+    ar.field("max_peer_rate", max_peer_rate, Range{1, 1e6},
+             "packets of a peer, and of this node, that are passed on [1/s]");
     ar.field("signing_key_file", signing_key_file,
              "64 hexadecimal digits in a file of mode 600: sign, and refuse what is not signed");
     ar.field("frame_prefix", frame_prefix,

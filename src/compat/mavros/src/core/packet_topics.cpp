@@ -28,17 +28,16 @@ void append_header(const mavros_msgs::Mavlink& m, std::vector<std::uint8_t>& pac
     return static_cast<std::uint8_t>(value >> shift & 0xFFU);
   };
   if (m.magic == kStart1) {
-    packet = {m.magic, m.len, m.seq, m.sysid, m.compid, byte(m.msgid, 0)};
+    packet.assign({m.magic, m.len, m.seq, m.sysid, m.compid, byte(m.msgid, 0)});
     return;
   }
-  packet = {m.magic, m.len,    m.incompat_flags, m.compat_flags,   m.seq,
-            m.sysid, m.compid, byte(m.msgid, 0), byte(m.msgid, 8), byte(m.msgid, 16)};
+  packet.assign({m.magic, m.len, m.incompat_flags, m.compat_flags, m.seq, m.sysid, m.compid,
+                 byte(m.msgid, 0), byte(m.msgid, 8), byte(m.msgid, 16)});
 }
 
 }  // namespace
 
-mavros_msgs::Mavlink to_ros(const Packet& packet) {
-  mavros_msgs::Mavlink message;
+void to_ros(const Packet& packet, mavros_msgs::Mavlink& message) {
   const bool is_2 = packet.version == 2;
   message.header.stamp = ros::Time::now();
   message.framing_status = mavros_msgs::Mavlink::FRAMING_OK;
@@ -51,18 +50,16 @@ mavros_msgs::Mavlink to_ros(const Packet& packet) {
   message.compid = packet.source.component;
   message.msgid = packet.id;
   message.checksum = checksum_of(packet);
-  message.payload64.resize((packet.payload.size() + kWord - 1) / kWord);
+  message.payload64.assign((packet.payload.size() + kWord - 1) / kWord, 0);
   std::memcpy(message.payload64.data(), packet.payload.data(), packet.payload.size());
-  if (packet.is_signed) {
-    message.signature.assign(packet.raw.end() - kSignatureSize, packet.raw.end());
-  }
-  return message;
+  const std::size_t signature = packet.is_signed ? kSignatureSize : 0;
+  message.signature.assign(packet.raw.end() - signature, packet.raw.end());
 }
 
-std::vector<std::uint8_t> to_packet(const mavros_msgs::Mavlink& message) {
+void to_packet(const mavros_msgs::Mavlink& message, std::vector<std::uint8_t>& packet) {
+  packet.clear();
   const bool is_known = message.magic == kStart1 || message.magic == kStart2;
-  if (!is_known || message.payload64.size() * kWord < message.len) return {};
-  std::vector<std::uint8_t> packet;
+  if (!is_known || message.payload64.size() * kWord < message.len) return;
   append_header(message, packet);
   const std::size_t header = packet.size();
   packet.resize(header + message.len);
@@ -70,20 +67,21 @@ std::vector<std::uint8_t> to_packet(const mavros_msgs::Mavlink& message) {
   packet.push_back(static_cast<std::uint8_t>(message.checksum & 0xFFU));
   packet.push_back(static_cast<std::uint8_t>(message.checksum >> 8U));
   packet.insert(packet.end(), message.signature.begin(), message.signature.end());
-  return packet;
 }
 
 PacketTopics::PacketTopics(const ros::NodeHandle& node, VehicleSide& vehicle,
                            bridges::NodePollLoop& loop)
     : node_(node), from_(node_, "mavlink/from") {
   vehicle.on_packet([this](const Packet& packet) {
-    if (from_.subscribers() > 0) from_.publish(to_ros(packet));
+    if (from_.subscribers() == 0) return;
+    to_ros(packet, heard_);
+    from_.publish(heard_);
   });
   constexpr std::uint32_t kQueue = 100;
   to_ = loop.subscribe<mavros_msgs::Mavlink>(
-      node_, "mavlink/to", kQueue, [&vehicle](const mavros_msgs::Mavlink& message) {
-        const std::vector<std::uint8_t> packet = to_packet(message);
-        if (!packet.empty()) vehicle.send_packet(bridges::Bytes(packet));
+      node_, "mavlink/to", kQueue, [this, &vehicle](const mavros_msgs::Mavlink& message) {
+        to_packet(message, asked_);
+        if (!asked_.empty()) vehicle.send_packet(bridges::Bytes(asked_));
       });
 }
 

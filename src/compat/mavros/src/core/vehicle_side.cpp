@@ -28,6 +28,7 @@ Link::Events link_events(std::function<void(const Packet&)> received,
   Link::Events events;
   events.received = std::move(received);
   events.warning = [](const std::string& text) { ROS_WARN("%s", text.c_str()); };
+  events.notice = [](const std::string& text) { ROS_INFO("%s", text.c_str()); };
   events.refused = [&refusals](const std::string& text) { refusals.note("signatures", text); };
   return events;
 }
@@ -50,7 +51,9 @@ VehicleSide::VehicleSide(const MavrosParams& params, ros_utils::Refusals& refusa
             if (source == target_) set_connected(false);
           }),
       timesync_(self_, is_one_clock_),
-      link_({params.fcu_url, params.gcs_url, params.allow_remote, params.signing_key_file}, loop,
+      link_({params.fcu_url, params.gcs_url, params.allow_remote, params.max_peer_rate,
+             params.signing_key_file},
+            loop,
             link_events([this](const Packet& packet) { receive(packet); }, refusals)),
       commands_(self_, [this](const Message& message) { send(message); }) {}
 

@@ -173,7 +173,8 @@ class Mocap : public EstimatePlugin {
 /// world and FRD of the body.
 class Odom : public EstimatePlugin {
  public:
-  explicit Odom(Hub& hub) : EstimatePlugin(hub, "odometry") {
+  explicit Odom(Hub& hub)
+      : EstimatePlugin(hub, "odometry"), frd_frame_(hub.params.frame_prefix + "odom") {
     in_ = hub.ros.advertise<nav_msgs::Odometry>("odometry/in");
     on<mavlink_odometry_t>(hub.vehicle, [this](const auto& p) { publish(p); });
     hub.ros.subscribe<nav_msgs::Odometry>("odometry/out",
@@ -184,10 +185,9 @@ class Odom : public EstimatePlugin {
   void publish(const mavlink_odometry_t& p) {
     const bool is_ned = p.frame_id == MAV_FRAME_LOCAL_NED;
     const Eigen::Quaterniond q(p.q[0], p.q[1], p.q[2], p.q[3]);
-    nav_msgs::Odometry odometry;
+    nav_msgs::Odometry& odometry = odometry_;
     odometry.header.stamp = hub_.vehicle.stamp_us(p.time_usec);
-    odometry.header.frame_id =
-        is_ned ? hub_.params.local_position.frame_id : hub_.params.frame_prefix + "odom";
+    odometry.header.frame_id = is_ned ? hub_.params.local_position.frame_id : frd_frame_;
     odometry.child_frame_id = hub_.params.local_position.child_frame_id;
     const Eigen::Vector3d position(p.x, p.y, p.z);
     assign(odometry.pose.pose.position, is_ned ? swap_world(position) : swap_body(position));
@@ -236,6 +236,8 @@ class Odom : public EstimatePlugin {
   }
 
   std::unique_ptr<bridges::NodePublisher<nav_msgs::Odometry>> in_;
+  std::string frd_frame_;
+  nav_msgs::Odometry odometry_;  // its frames keep their memory
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ from pathlib import Path
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Its options."""
-    parser.add_argument("--quick", action="store_true", help="2 s of each row, not 20")
+    parser.add_argument("--quick", action="store_true", help="3 s of each row, not 60")
     parser.add_argument("--out", type=Path, metavar="FILE.json", help="where the rows go")
     parser.add_argument("--only", metavar="ROW", help="one row, by its name")
 

@@ -11,7 +11,8 @@ from tempfile import TemporaryDirectory
 from trident_base.ports import free_port
 from trident_eval.ros_paths import program
 
-from trident_benchmarks.bridges.rows import SINK_TOPIC, SOURCE_TOPIC, BridgeRow, Node
+from trident_benchmarks.bridges.limits import at_most
+from trident_benchmarks.bridges.rows import NO_LOSS, SINK_TOPIC, SOURCE_TOPIC, BridgeRow, Node
 
 #: Of the 100 registers of a response.
 REGISTER_BYTES = 200
@@ -47,9 +48,7 @@ MODBUS_ROWS = (
         "float32",
         REGISTER_BYTES,
         _modbus_bridges,
-        rate=100.0,
-        median_limit_ms=0.9,
-        p99_limit_ms=2.5,
+        (at_most("median_ms", 0.9), at_most("p99_ms", 2.5), NO_LOSS),
         window=1,
         bulk=10_000,
     ),

@@ -7,7 +7,8 @@ from __future__ import annotations
 from trident_base.ports import free_port
 from trident_eval.ros_paths import program
 
-from trident_benchmarks.bridges.rows import SINK_TOPIC, SOURCE_TOPIC, BridgeRow, Node
+from trident_benchmarks.bridges.limits import at_least, at_most
+from trident_benchmarks.bridges.rows import NO_LOSS, SINK_TOPIC, SOURCE_TOPIC, BridgeRow, Node
 
 #: "$GPGGA,hhmmss.ss,5900.00000,N,dddmm.mmmmm,W,1,,0.7,10.000,M,,M,,*hh" with its line end.
 GGA_BYTES = 69
@@ -42,8 +43,14 @@ NMEA_ROWS = (
         "nav_sat_fix",
         GGA_BYTES,
         _nmea_bridges,
-        median_limit_ms=1.0,
-        p99_limit_ms=3.0,
-        mbit_s_limit=20.0,
+        (
+            at_most("median_ms", 0.25),
+            at_most("over_echo_ms", 0.15),
+            at_most("p99_ms", 1.0),
+            at_least("messages_s", 30_000),
+            at_least("mbit_s", 20.0),
+            NO_LOSS,
+        ),
+        bulk_rate=40_000.0,
     ),
 )
