@@ -40,15 +40,26 @@ struct Pair {
     const std::size_t begin = notice.find(':') + 1;
     return notice.substr(begin, notice.find(':', begin) - begin);
   }
-  void send(const Message& message) { near.send(message); }
+  void send(const Message& message) {
+    near.send(message);
+    ++sent;
+  }
   /// Waits until the second one has heard so many.
   void await(int count) {
     const double begin_s = loop.now_s();
     while (heard < count && loop.now_s() < begin_s + kLimit_s) loop.run_once(kLimit_s);
   }
+  /// Sends until something is heard: what is sent before the loop runs has nowhere to go.
+  void connect(const Message& message) {
+    const double begin_s = loop.now_s();
+    while (heard == 0 && loop.now_s() < begin_s + kLimit_s) {
+      send(message);
+      loop.run_once(0.01);
+    }
+  }
 
   EpollLoop loop;
-  int heard = 0;
+  int sent = 0, heard = 0;
   std::string notice;
   Link far, near;
 };
@@ -68,25 +79,27 @@ TEST(Link, SaysWhichBuffersItHas) {
 TEST(Link, NothingIsAllocatedForAMessage) {
   Pair pair(1e6);
   const Message message = odometry();
-  const auto exchange = [&](int until) {
-    while (pair.heard < until) {
+  pair.connect(message);
+  const auto exchange = [&](int count) {
+    for (int i = 0; i < count; ++i) {
       pair.send(message);
       pair.await(pair.heard + 1);
     }
   };
   exchange(100);
-  EXPECT_EQ(allocations_of([&] { exchange(1100); }), 0U);
-  EXPECT_EQ(pair.heard, 1100);
+  const int before = pair.heard;
+  EXPECT_EQ(allocations_of([&] { exchange(1000); }), 0U);
+  EXPECT_EQ(pair.heard, before + 1000);
 }
 
 TEST(Link, WhatAPeerSendsTooFastIsDropped) {
   Pair pair(3.0);
   const Message message = odometry();
+  pair.connect(message);
   for (int i = 0; i < 50; ++i) pair.send(message);
-  pair.await(3);
-  for (int i = 0; i < 50; ++i) pair.loop.run_once(0.0);
-  EXPECT_GE(pair.heard, 3);
-  EXPECT_LT(pair.heard, 50);
+  for (int i = 0; i < 10; ++i) pair.loop.run_once(0.0);
+  EXPECT_GE(pair.heard, 1);
+  EXPECT_LT(pair.heard, pair.sent);
 }
 
 }  // namespace
