@@ -52,8 +52,9 @@ int relay(const ProbeOptions& options) {
 }  // namespace
 
 int run_sink(const ProbeOptions& options) {
-  return with_carrier(options.message,
-                      [&](auto carrier) { return sink<typename decltype(carrier)::type>(options); });
+  return with_carrier(options.message, [&](auto carrier) {
+    return sink<typename decltype(carrier)::type>(options);
+  });
 }
 
 int run_relay(const ProbeOptions& options) {

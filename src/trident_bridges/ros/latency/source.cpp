@@ -105,10 +105,9 @@ class Source {
 }  // namespace
 
 int run_source(const ProbeOptions& options) {
-  return with_carrier(options.message,
-                      [&](auto carrier) {
-                        return Source<typename decltype(carrier)::type>(options).run();
-                      });
+  return with_carrier(options.message, [&](auto carrier) {
+    return Source<typename decltype(carrier)::type>(options).run();
+  });
 }
 
 }  // namespace trident::bridges

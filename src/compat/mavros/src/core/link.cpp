@@ -71,8 +71,7 @@ Link::Link(const LinkOptions& options, bridges::PollLoop& loop, Events events)
       key_(options.signing_key_file),
       router_(
           router_options(options.max_peer_rate),
-          [this](RouterPeer peer, Bytes packet) { pass_on(peer, packet); },
-          events_.warning),
+          [this](RouterPeer peer, Bytes packet) { pass_on(peer, packet); }, events_.warning),
       parser_(true),
       writer_(key_.signer()) {
   router_.add_peer(kThisNode, "this node");

@@ -28,9 +28,9 @@ inline constexpr std::uint16_t kDefaultBindPort = 14555;
 
 /// Which ends a link has.
 struct LinkOptions {
-  std::string fcu_url;        ///< of the vehicle, see transport/url.h
-  std::string gcs_url;        ///< of the ground station; empty: has none
-  bool allow_remote = false;  ///< may bind or connect to what is not loopback
+  std::string fcu_url;              ///< of the vehicle, see transport/url.h
+  std::string gcs_url;              ///< of the ground station; empty: has none
+  bool allow_remote = false;        ///< may bind or connect to what is not loopback
   double max_peer_rate = 20'000.0;  ///< packets of a peer, and of this node [1/s]; more are dropped
   /// 64 hexadecimal digits: what is sent is signed, and what this node hears must be; empty: none.
   std::string signing_key_file;

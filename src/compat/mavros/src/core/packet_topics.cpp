@@ -78,11 +78,12 @@ PacketTopics::PacketTopics(const ros::NodeHandle& node, VehicleSide& vehicle,
     from_.publish(heard_);
   });
   constexpr std::uint32_t kQueue = 100;
-  to_ = loop.subscribe<mavros_msgs::Mavlink>(
-      node_, "mavlink/to", kQueue, [this, &vehicle](const mavros_msgs::Mavlink& message) {
-        to_packet(message, asked_);
-        if (!asked_.empty()) vehicle.send_packet(bridges::Bytes(asked_));
-      });
+  to_ = loop.subscribe<mavros_msgs::Mavlink>(node_, "mavlink/to", kQueue,
+                                             [this, &vehicle](const mavros_msgs::Mavlink& message) {
+                                               to_packet(message, asked_);
+                                               if (!asked_.empty())
+                                                 vehicle.send_packet(bridges::Bytes(asked_));
+                                             });
 }
 
 }  // namespace trident::mavros

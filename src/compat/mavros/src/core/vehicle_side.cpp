@@ -53,8 +53,7 @@ VehicleSide::VehicleSide(const MavrosParams& params, ros_utils::Refusals& refusa
       timesync_(self_, is_one_clock_),
       link_({params.fcu_url, params.gcs_url, params.allow_remote, params.max_peer_rate,
              params.signing_key_file},
-            loop,
-            link_events([this](const Packet& packet) { receive(packet); }, refusals)),
+            loop, link_events([this](const Packet& packet) { receive(packet); }, refusals)),
       commands_(self_, [this](const Message& message) { send(message); }) {}
 
 bridges::mavlink::BothTimes VehicleSide::both_times() const {
