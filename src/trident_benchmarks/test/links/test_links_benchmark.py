@@ -10,6 +10,7 @@ from trident_benchmarks.links import measure
 from trident_benchmarks.links.goodput import CASES, GOODPUT_LIMIT, goodput_row
 from trident_benchmarks.links.per import PER_LIMIT_DB, counted_losses, ratio_at_tenth
 from trident_benchmarks.links.picture import coast_coverage, draw_goodput
+from trident_benchmarks.links.silence import silence_line, silence_row
 from trident_benchmarks.results import UNUSABLE
 
 
@@ -31,6 +32,13 @@ def test_a_load_reaches_its_receiver() -> None:
     assert row["sent"] == 350
     assert row["received"] > 300
     assert "heard by one" in measure.line(row)
+
+
+def test_a_medium_without_radios_changes_no_flight() -> None:
+    row = silence_row(2, 1.0, 2)
+    assert row["same_end"]
+    assert row["ratio"] > 0.0
+    assert "the same flight" in silence_line(row)
 
 
 def test_the_adaptive_rate_and_its_picture(tmp_path: Path) -> None:

@@ -7,7 +7,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-SUITES = ("per", "goodput", "adaptive", "cost", "station")
+SUITES = ("per", "goodput", "adaptive", "cost", "silence", "station")
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:

@@ -14,6 +14,7 @@ from trident_benchmarks.links.goodput import CASES, FULL_AMPDU, goodput_line, go
 from trident_benchmarks.links.ns3 import Ns3, ns3_peer
 from trident_benchmarks.links.per import per_line, per_rows
 from trident_benchmarks.links.radios import circle, goodput, radio_world, saturating
+from trident_benchmarks.links.silence import silence_line, silence_row
 from trident_benchmarks.links.station import station_line, station_row
 from trident_benchmarks.results import (
     FAILED,
@@ -131,6 +132,10 @@ def _rows(suites: Sequence[str], is_quick: bool) -> Iterator[dict[str, Any]]:
     if "cost" in suites:
         for load in LOADS:
             yield load_row(load, 5.0 if is_quick else 20.0)
+    if "silence" in suites:
+        for vehicles in (1, 6):
+            seconds = (10.0 if is_quick else 60.0) / vehicles
+            yield silence_row(vehicles, seconds, 5 if is_quick else 21)
     if "station" in suites:
         for seed in range(1, (2 if is_quick else _COASTS) + 1):
             yield station_row(seed)
@@ -160,6 +165,8 @@ def line(row: dict[str, Any]) -> str:
         )
     if row["suite"] == "station":
         return station_line(row)
+    if row["suite"] == "silence":
+        return silence_line(row) + verdict
     return (
         f"{row['load']}: {row['cpu_s_per_s']:.4f} CPU s per simulated s (<= {row['limit']}),"
         f" {row['received']} of {row['sent']} heard by one{verdict}"
