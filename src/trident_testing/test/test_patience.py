@@ -115,3 +115,18 @@ def test_a_run_of_tests_that_hangs_says_where_and_ends_its_fixtures(tmp_path: Pa
     assert "not done after 0.5 s that the machine gave it" in done.stderr
     assert "test_hangs.py" in done.stderr, "where it was"
     assert "closed" in done.stdout
+
+
+def test_a_process_that_ends_while_it_is_looked_at_has_got_nothing(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    own, scandir = f"/proc/{os.getpid()}/task", os.scandir
+
+    def gone(path: str) -> Iterator[os.DirEntry[str]]:
+        if str(path) == own:
+            raise FileNotFoundError(2, "No such file or directory", own)
+        return scandir(path)
+
+    assert usage_of([os.getpid()])
+    monkeypatch.setattr(os, "scandir", gone)
+    assert usage_of([os.getpid()]) == {}

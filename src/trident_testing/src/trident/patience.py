@@ -90,10 +90,11 @@ def usage_of(pids: list[int]) -> Usage:
     """What all threads of some processes have got; nothing where the kernel does not count it."""
     usage: Usage = {}
     for pid in pids:
-        for folder in Path(f"/proc/{pid}/task").glob("[0-9]*"):
-            with suppress(OSError, ValueError):
-                ran_ns, waited_ns, _ = (folder / "schedstat").read_text().split()
-                usage[int(folder.name)] = (int(ran_ns), int(waited_ns))
+        with suppress(OSError):  # it ends meanwhile
+            for folder in Path(f"/proc/{pid}/task").glob("[0-9]*"):
+                with suppress(OSError, ValueError):
+                    ran_ns, waited_ns, _ = (folder / "schedstat").read_text().split()
+                    usage[int(folder.name)] = (int(ran_ns), int(waited_ns))
     return usage
 
 
