@@ -54,22 +54,24 @@ RadioParams saturating(int mcs, int width_mhz, std::size_t max_ampdu_bytes) {
   return params;
 }
 
-/// Payload that arrives at station 0 from `stations` others, which always have something to send
-/// [Mbit/s].
+/// Payload that arrives at station 0 from `stations` others, which always have something to send,
+/// after a second in which their windows have found their sizes [Mbit/s].
 double goodput(const RadioParams& params, int stations, std::size_t payload, Losses losses = {},
                double seconds = 2.0) {
   RadioChannel channel(1);
   channel.add("sink", params);
   for (int i = 1; i <= stations; ++i) channel.add("s" + std::to_string(i), params);
   std::size_t bytes = 0;
-  const auto end_ns = static_cast<std::int64_t>(seconds * kSecond_ns);
+  const auto end_ns = kSecond_ns + static_cast<std::int64_t>(seconds * kSecond_ns);
   for (std::int64_t now_ns = 0; now_ns < end_ns; now_ns += kStep_ns) {
     for (int i = 1; i <= stations; ++i) {
       const auto queued = [&] { return channel.station(i).queued_bytes[1]; };
       while (queued() < 300000) channel.send(packet(i, 0, payload + kIpUdp, now_ns));
     }
     channel.advance(now_ns + kStep_ns, losses);
-    for (const RadioDelivery& d : channel.take_deliveries()) bytes += d.packet.bytes() - kIpUdp;
+    for (const RadioDelivery& d : channel.take_deliveries()) {
+      if (now_ns >= kSecond_ns) bytes += d.packet.bytes() - kIpUdp;
+    }
   }
   return 8e-6 * static_cast<double>(bytes) / seconds;
 }
@@ -95,8 +97,49 @@ INSTANTIATE_TEST_SUITE_P(
                     Reference{7, 20, 0, 1472, 5, 30.20}, Reference{7, 20, 0, 1472, 10, 28.76},
                     Reference{7, 20, 65535, 1472, 1, 59.75},
                     Reference{7, 20, 65535, 1472, 2, 56.62},
-                    Reference{7, 20, 65535, 1472, 5, 49.57}, Reference{0, 20, 0, 1472, 1, 5.58},
+                    Reference{7, 20, 65535, 1472, 5, 49.57},
+                    Reference{7, 20, 65535, 1472, 10, 43.29}, Reference{0, 20, 0, 1472, 1, 5.58},
                     Reference{7, 20, 0, 100, 1, 3.73}, Reference{9, 80, 65535, 1472, 1, 323.95}));
+
+/// How many of five packets of station 1, sent as one long frame, arrive in the frame that begins
+/// at the same moment as a short one of station 2, which is so much weaker.
+std::size_t arrived_at_once(double weaker_db) {
+  Losses losses;
+  losses.own[{0, 2}] = losses.common_db + weaker_db;
+  RadioParams params = saturating(0, 20, 65535);
+  params.processing_ns = 0;
+  RadioChannel channel(1);
+  for (const char* name : {"sink", "long", "short"}) channel.add(name, params);
+  channel.advance(kSecond_ns, losses);
+  for (int i = 0; i < 5; ++i) channel.send(packet(1, 0, 500, kSecond_ns));
+  channel.send(packet(2, 0, 50, kSecond_ns));
+  const std::int64_t air_ns =
+      vht::duration_ns(0, 20, false, 5 * vht::subframe_bytes(500 + vht::kFrameBytes));
+  channel.advance(kSecond_ns + air_ns, losses);
+  return channel.take_deliveries().size();
+}
+
+/// Nobody finds the beginning of a frame below that of another, though most of it is undisturbed.
+TEST(Collision, LosesALongFrameWholeUnlessItStandsOut) {
+  EXPECT_EQ(arrived_at_once(3.0), 0u);
+  EXPECT_EQ(arrived_at_once(5.0), 5u);
+}
+
+/// Who has not even noticed that a frame began does not wait for longer after it.
+TEST(Collision, LeavesTheUsualWaitToTheOthers) {
+  Losses losses;
+  RadioParams params = saturating(0, 20, 0);
+  params.processing_ns = 0;
+  RadioChannel channel(1);
+  for (const char* name : {"sink", "a", "b", "other"}) channel.add(name, params);
+  channel.advance(kSecond_ns, losses);
+  channel.send(packet(1, 0, 1000, kSecond_ns));
+  channel.send(packet(2, 0, 1000, kSecond_ns));
+  const std::int64_t air_ns =
+      vht::duration_ns(0, 20, false, vht::subframe_bytes(1000 + vht::kFrameBytes));
+  channel.advance(kSecond_ns + air_ns, losses);
+  EXPECT_EQ(channel.station(3).contention_begin_ns(), kSecond_ns + air_ns + vht::kAifs_ns);
+}
 
 TEST(HiddenStations, DisturbEachOtherMoreThanThoseThatHear) {
   Losses hidden;

@@ -13,17 +13,29 @@ namespace {
 
 // What is weaker than the noise by so much neither is heard nor disturbs [dB].
 constexpr double kNegligible_db = -20.0;
-// Of signal to noise, below which nobody notices that a frame begins [dB].
-constexpr double kPreamble_db = -1.0;
+// Of signal to noise, and of signal to all other frames on the air, below which nobody notices that
+// a frame begins [dB]. Noise is averaged away by a correlation with the preamble; frames have the
+// same preamble, so that of two that begin at once both are lost (ns-3: 4 dB in all).
+constexpr double kPreamble_db = -1.0, kPreambleOverOthers_db = 4.0;
+// For so long a receiver looks whether a frame begins (aCCATime, IEEE 802.11-2016, table 17-21).
+constexpr std::int64_t kDetection_ns = 4000;
 // A frame's header is about as short as this, for those that only need to know how long it takes.
 constexpr std::size_t kHeaderBytes = 100;
 // More often than a frame is tried its acknowledgement is asked for: who waits for a gap between
 // the frames of a hidden station would else give up, and begin again with a short wait.
-constexpr int kRequestsPerTry = 2;
+constexpr int kRequestsPerTry = 3;
 // Random numbers of an acknowledgement lie beyond those of the subframes of its frame.
 constexpr std::uint32_t kAckChannel = 1000;
 
 double mw_of_dbm(double dbm) { return std::pow(10.0, 0.1 * dbm); }
+
+/// Whether a receiver that has nothing else to do notices that the frame begins.
+bool stands_out(const Reception& reception) {
+  static const double noise_ratio = mw_of_dbm(kPreamble_db);
+  static const double others_ratio = mw_of_dbm(kPreambleOverOthers_db);
+  return reception.signal_mw > noise_ratio * reception.noise_mw &&
+         reception.signal_mw >= others_ratio * reception.interference_mw;
+}
 
 std::int64_t ack_duration_ns(int mcs, std::size_t subframes) {
   return vht::legacy_duration_ns(vht::control_rate(mcs),
@@ -47,7 +59,6 @@ void RadioChannel::begin(Transmission frame, LinkLosses& losses) {
   stop_listening(frame.source);
   set_busy(frame.source);
   source.is_sending = true;
-  source.has_damaged = false;
   for (int j = 0; j < static_cast<int>(stations_.size()); ++j) {
     const RadioStation& other = at(j);
     const bool is_deaf = !other.is_present || other.is_out || source.is_out;
@@ -83,21 +94,23 @@ void RadioChannel::hear(Transmission& frame, int listener, double loss_db) {
     theirs->interference_mw += own.signal_mw;
     own.interference_mw += theirs->signal_mw;
   }
-  if (signal_dbm > noise_dbm + kPreamble_db) listen(frame, own);
+  listen(frame, own);
   own.is_audible |= own.is_locked;
   if (own.is_audible) set_busy(listener);
   frame.receptions.push_back(std::move(own));
 }
 
-// To the first frame that comes, of several at once to the strongest.
+// To the first frame that comes, of several at once to the one that stands out of the others.
 void RadioChannel::listen(const Transmission& frame, Reception& reception) {
   RadioStation& station = at(reception.station);
   if (station.is_sending) return;
   if (Transmission* present = find(station.listens_to)) {
     Reception* theirs = present->reception(reception.station);
-    if (present->begin_ns != now_ns_ || theirs->signal_mw >= reception.signal_mw) return;
+    if (now_ns_ - present->begin_ns >= kDetection_ns || stands_out(*theirs)) return;
     theirs->is_locked = false;
+    station.listens_to = 0;
   }
+  if (!stands_out(reception)) return;
   station.listens_to = frame.id;
   reception.is_locked = true;
 }
@@ -132,12 +145,14 @@ void RadioChannel::end(std::uint64_t id) {
   }
 }
 
-// A station that can read a frame for another one leaves the channel to its acknowledgement (NAV).
+// A station that can read a frame for another one leaves the channel to its acknowledgement (NAV);
+// after one that it has noticed and could not read it waits for longer.
 void RadioChannel::overhear(const Transmission& frame, const Reception& reception) {
+  if (!reception.is_locked) return;
   RadioStation& station = at(reception.station);
-  const bool is_read = reception.is_locked && reception.success(frame.mcs, kHeaderBytes,
-                                                                frame.begin_ns, frame.end_ns) > 0.5;
-  if (reception.is_audible) station.has_damaged = !is_read;
+  const bool is_read =
+      reception.success(frame.mcs, kHeaderBytes, frame.begin_ns, frame.end_ns) > 0.5;
+  station.damaged_ns = is_read ? -kNever_ns : now_ns_;
   const bool is_answered = frame.kind != Transmission::Kind::kAck &&
                            frame.destination != kEverybody &&
                            frame.destination != reception.station;

@@ -20,7 +20,7 @@ bool RadioStation::has_work() const {
 }
 
 std::int64_t RadioStation::contention_begin_ns() const {
-  return idle_from_ns + (has_damaged ? kEifs_ns : vht::kAifs_ns);
+  return std::max(idle_from_ns + vht::kAifs_ns, damaged_ns + kEifs_ns);
 }
 
 void RadioStation::draw_backoff() {

@@ -83,7 +83,7 @@ struct RadioStation {
   std::vector<std::size_t> sent;  ///< what of the attempt was in it
   std::uint64_t listens_to = 0;   ///< the frame that it receives; 0: none
   std::int64_t idle_from_ns = 0;  ///< when the channel became free, or will by what it has heard
-  bool has_damaged = false;       ///< the last frame could not be read: it waits for longer
+  std::int64_t damaged_ns = -kNever_ns;  ///< end of a frame that could not be read
   int window = vht::kMinWindow;
   std::int64_t slots = 0;  ///< of the backoff that are left
   std::uint64_t draws = 0;
