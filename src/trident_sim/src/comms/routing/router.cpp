@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace trident::sim {
 namespace {
@@ -13,7 +12,10 @@ namespace {
 constexpr int kSilentPeriods = 3;
 /// Hellos before their time come this much after the last one, in periods: what happens at once
 /// shares a hello, and the air is not flooded.
-constexpr double kMinGap = 0.25;
+constexpr double kMinGap = 0.1;
+/// What neighbors have to know at once is in so many hellos of that kind: where 30 % are lost, all
+/// of three are in 1 of 37 cases, and the period would be waited for in 1 of 3 after one alone.
+constexpr int kUrgentHellos = 3;
 /// The time between hellos is drawn from this part of the period up to the whole, so that those of
 /// robots do not stay on top of each other.
 constexpr double kMinPeriod = 0.8;
@@ -87,23 +89,26 @@ void Router::take_entry(const HelloEntry& entry, std::size_t sender) {
   if (entry.wanted_sequence > 0) take_request(entry, destination);
 }
 
+/// At most so many hellos go before their time.
+void Router::trigger(int hellos) { urgent_hellos_ = std::max(urgent_hellos_, hellos); }
+
 /// Requests go where feasibility distances improve, as packets do, so that they reach the
-/// destination without an echo. Who has such a route already answers.
+/// destination without an echo. Who has such a route already answers. A request that comes again is
+/// answered or passed on once more: the answer may have been lost.
 void Router::take_request(const HelloEntry& entry, std::size_t destination) {
   if (destination == 0) {
+    trigger(sequence_ < entry.wanted_sequence ? kUrgentHellos : 1);
     sequence_ = std::max(sequence_, entry.wanted_sequence);
-    is_triggered_ = true;
     return;
   }
   Route& route = robots_[destination].route;
   if (route.next_hop == kNobody) return;
-  if (route.feasibility.sequence >= entry.wanted_sequence) {
-    is_triggered_ = true;
-    return;
-  }
+  if (route.feasibility.sequence >= entry.wanted_sequence) return trigger(1);
   if (entry.offer.is_route() && !route.feasibility.is_better_than(entry.offer.feasibility)) return;
+  const int hellos = route.requested < entry.wanted_sequence ? kUrgentHellos : 1;
   route.requested = std::max(route.requested, entry.wanted_sequence);
-  route.is_request_due = is_triggered_ = true;
+  route.requests_due = std::max(route.requests_due, hellos);
+  trigger(hellos);
 }
 
 Router::Choice Router::choose(std::size_t destination, bool* is_starved) const {
@@ -138,7 +143,7 @@ void Router::update_route(std::size_t destination) {
   const bool had_route = route.next_hop != kNobody, has_route = choice.robot != kNobody;
   const bool is_back = has_route && !had_route && route.feasibility.sequence > 0;
   if (is_back || (had_route && !has_route) || (is_starved && !route.is_starved)) {
-    is_triggered_ = true;
+    trigger(kUrgentHellos);
   }
   route.next_hop = choice.robot;
   route.metric_ns = choice.metric_ns;
@@ -147,8 +152,8 @@ void Router::update_route(std::size_t destination) {
   const RouteOffer& offer = robots_[choice.robot].neighbor.offers[destination];
   if (offer.feasibility.sequence < route.requested) return;
   route.requested = 0;
-  route.is_request_due = false;
-  is_triggered_ = true;
+  route.requests_due = 0;
+  trigger(kUrgentHellos);
 }
 
 void Router::update_routes() {
@@ -190,7 +195,8 @@ HelloEntry Router::make_entry(Robot* robot) {
   }
   if (route.is_starved) {
     entry.wanted_sequence = route.feasibility.sequence + 1;
-  } else if (std::exchange(route.is_request_due, false)) {
+  } else if (route.requests_due > 0) {
+    --route.requests_due;
     entry.wanted_sequence = route.requested;
   }
   return entry;
@@ -213,13 +219,13 @@ Hello Router::make_hello() {
 std::optional<std::string> Router::due_hello(SimTime now) {
   drop_silent(now);
   const SimTime min_gap = SimTime::from_seconds(kMinGap * params_.hello_period_s);
-  const bool is_early = is_triggered_ && now - last_hello_ >= min_gap;
+  const bool is_early = urgent_hellos_ > 0 && now - last_hello_ >= min_gap;
   if (now < next_hello_ && !is_early) return std::nullopt;
   if (now >= next_sequence_) {
     ++sequence_;
     next_sequence_ = now + SimTime::from_seconds(params_.sequence_period_s);
   }
-  is_triggered_ = false;
+  urgent_hellos_ = std::max(urgent_hellos_ - 1, 0);
   last_hello_ = now;
   std::string bytes = encode(make_hello());
   const double part = kMinPeriod + (1.0 - kMinPeriod) * random_.uniform(number_, 0);

@@ -83,7 +83,7 @@ class Router {
     std::uint32_t metric_ns = kNoMetric;  ///< with the link to the next hop
     bool is_starved = false;              ///< there are routes, and not one is feasible
     std::uint32_t requested = 0;          ///< sequence number that others wait for; 0: none
-    bool is_request_due = false;          ///< it is to be passed on
+    int requests_due = 0;                 ///< hellos in which it is to be passed on
   };
   struct Robot {
     std::string name;
@@ -101,6 +101,7 @@ class Router {
   std::uint32_t link_cost_ns(const Neighbor& neighbor, double rate_bit_s,
                              bool is_base_station) const;
   void take_entry(const HelloEntry& entry, std::size_t sender);
+  void trigger(int hellos);
   void take_request(const HelloEntry& entry, std::size_t destination);
   Choice choose(std::size_t destination, bool* is_starved) const;
   void update_route(std::size_t destination);
@@ -115,7 +116,7 @@ class Router {
   std::vector<Robot> robots_;                              ///< the first is this one
   std::uint32_t number_ = 0, sequence_ = 1;
   SimTime next_hello_, last_hello_, next_sequence_;
-  bool is_triggered_ = false;  ///< a hello is due before its time
+  int urgent_hellos_ = 0;  ///< that are due before their time
 };
 
 }  // namespace trident::sim
