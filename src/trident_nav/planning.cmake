@@ -35,6 +35,7 @@ set(trident_nav_planning_sources
   src/planning/potential/potential.cpp
   src/planning/potential/potential_cells.cpp
   src/planning/potential/potential_repair.cpp
+  src/planning/potential/start_search.cpp
   src/planning/poses/slot_exit.cpp
   src/planning/poses/smac_options.cpp
   src/planning/grids/theta_search.cpp
@@ -103,6 +104,7 @@ if(CATKIN_ENABLE_TESTING)
     test/planning/robot_planner_test.cpp
     test/planning/replan_test.cpp
     test/planning/smac_planners_test.cpp
+    test/planning/start_search_test.cpp
     benchmark/bench_maps.cpp
   )
   target_include_directories(trident_nav_planning_test PRIVATE test src benchmark)

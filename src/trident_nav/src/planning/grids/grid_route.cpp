@@ -3,6 +3,7 @@
 #include "planning/grids/grid_route.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -50,7 +51,8 @@ GridRoute::GridRoute(const GridRouteOptions& options)
     : options_(options),
       potential_(options.costs, options.outline),
       jumps_(options.costs, options.outline),
-      detours_(options.costs, options.outline) {}
+      detours_(options.costs, options.outline),
+      start_search_(options.outline) {}
 
 GridRouteResult GridRoute::find(const CostGrid& grid, const Footprint& footprint,
                                 const Pose2& start, const Pose2& goal, const CancelFlag& cancel) {
@@ -124,7 +126,7 @@ SearchResult GridRoute::search(const CostGrid& grid, Cell goal, Cell start,
   if (options_.detours) {
     outcome = potential_.search(grid, goal, start, cancel, Potential::Costs::kKnown);
     if (outcome != SearchResult::kFound) return outcome;
-    if (lead_around(grid, start, cancel, result)) return outcome;
+    if (lead_around(grid, cancel, result)) return outcome;
   }
   outcome = potential_.search(grid, goal, start, cancel);
   if (outcome == SearchResult::kFound) {
@@ -134,29 +136,50 @@ SearchResult GridRoute::search(const CostGrid& grid, Cell goal, Cell start,
   return outcome;
 }
 
-// The potential's path with detours around what it does not know of: short ones, or longer ones
-// that bend less. False when the path is right as it is, or when none is found that costs no more
-// than the least over cells, which is not below the potential of the known costs.
-bool GridRoute::lead_around(const CostGrid& grid, Cell start, const CancelFlag& cancel,
+// A path around what the potential does not know of, without a search from the goal: its path with
+// detours, if that costs no more than any over cells can, else the one of least cost over cells.
+// False when the potential's path is right as it is, or when too much has changed.
+bool GridRoute::lead_around(const CostGrid& grid, const CancelFlag& cancel,
                             GridRouteResult& result) {
-  constexpr std::size_t kReaches[] = {100, 300};
   const std::vector<Cell> path = potential_.trace();
   bool is_right = true;
   for (std::size_t i = 0; i + 1 < path.size() && is_right; ++i) {
     is_right = !potential_.is_dearer(grid, path[i], path[i + 1]);
   }
   if (is_right) return false;
+  const Taut detour = shortest_detour(grid, path, cancel);
+  StartSearch::Limits limits;
+  limits.expansions = potential_.total_expanded() / 4 + 4096;
+  const double bound = std::ceil(detour.cost * potential_.scale());
+  if (bound < limits.bound) limits.bound = static_cast<std::uint32_t>(bound);
+  const auto outcome = start_search_.search(grid, potential_, limits, cancel);
+  if (outcome == StartSearch::Result::kFound) {
+    result.cells = start_search_.path();
+    result.cost = start_search_.cost() / potential_.scale();
+    return true;
+  }
+  if (outcome != StartSearch::Result::kBound) return false;
+  for (const Point2& p : detour.corners) result.cells.push_back(grid.geometry.cell(p.x, p.y));
+  result.cost = detour.cost;
+  return true;
+}
+
+// The path with detours that begin further and further away, until it costs no more than the
+// potential of the known costs; the best of them otherwise.
+GridRoute::Taut GridRoute::shortest_detour(const CostGrid& grid, const std::vector<Cell>& path,
+                                           const CancelFlag& cancel) {
+  constexpr std::size_t kReaches[] = {30, 100, 300};
+  Taut best;
   for (const std::size_t reach : kReaches) {
     const auto cells = detours_.around(grid, potential_, path, reach, cancel);
     if (!cells) continue;
-    const std::vector<Point2> corners =
-        pull_taut(grid, options_.costs, centers(grid.geometry, *cells));
-    result.cost = path_cost(grid, options_.costs, corners);
-    if (!(result.cost <= static_cast<double>(potential_.at(start)))) continue;
-    for (const Point2& p : corners) result.cells.push_back(grid.geometry.cell(p.x, p.y));
-    return true;
+    Taut taut;
+    taut.corners = pull_taut(grid, options_.costs, centers(grid.geometry, *cells));
+    taut.cost = path_cost(grid, options_.costs, taut.corners);
+    if (taut.cost < best.cost) best = std::move(taut);
+    if (best.cost <= static_cast<double>(potential_.at(path.front()))) break;
   }
-  return false;
+  return best;
 }
 
 void GridRoute::lay_out(const CostGrid& grid, const Pose2& start, const Pose2& goal,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "planning/grids/step_costs.h"
 #include "planning/potential/detours.h"
 #include "planning/potential/potential.h"
+#include "planning/potential/start_search.h"
 #include "trident_nav/core/cost_grid.h"
 #include "trident_nav/core/outcome.h"
 
@@ -56,8 +58,14 @@ class GridRoute {
                                  const CancelFlag& cancel, GridRouteResult& result);
   SearchResult search(const CostGrid& grid, Cell goal, Cell start, const CancelFlag& cancel,
                       GridRouteResult& result);
-  bool lead_around(const CostGrid& grid, Cell start, const CancelFlag& cancel,
-                   GridRouteResult& result);
+  /// A path that has been pulled taut.
+  struct Taut {
+    std::vector<Point2> corners;
+    double cost = std::numeric_limits<double>::infinity();
+  };
+  Taut shortest_detour(const CostGrid& grid, const std::vector<Cell>& path,
+                       const CancelFlag& cancel);
+  bool lead_around(const CostGrid& grid, const CancelFlag& cancel, GridRouteResult& result);
   void lay_out(const CostGrid& grid, const Pose2& start, const Pose2& goal,
                const std::vector<Cell>& escape, GridRouteResult& result) const;
 
@@ -65,6 +73,7 @@ class GridRoute {
   Potential potential_;
   JumpPoints jumps_;
   Detours detours_;
+  StartSearch start_search_;
 };
 
 /// A route as a planner's outcome: poses at the grid's resolution, headings along the path, the

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 #include "planning/grids/bucket_queue.h"
@@ -59,14 +60,37 @@ class Potential {
   std::vector<Cell> trace() const;
   /// Cells that the last search expanded.
   std::size_t expanded() const { return expanded_.now; }
+  /// Cells that were expanded since the potential was begun.
+  std::size_t total_expanded() const { return expanded_.total; }
   /// Forgets everything.
   void clear() { status_.is_ready = false; }
+
+  // What a search from the start needs, after one with known costs that has found a path. Values
+  // are whole numbers: costs times `scale`.
+
+  /// What a step costs, by the cost of the cell.
+  struct StepTable {
+    std::array<std::uint32_t, 256> straight{}, diagonal{};
+    std::uint32_t least_straight = 0, least_diagonal = 0;
+  };
+  static constexpr std::uint32_t kBlockedStep = 0x80000000U;
+  const StepTable& steps() const { return steps_; }
+  double scale() const { return scale_.value; }
+  Cell start() const { return {ends_.start.x - 1, ends_.start.y - 1}; }
+  Cell goal() const { return {ends_.goal.x - 1, ends_.goal.y - 1}; }
+  struct Bound {
+    std::uint32_t value;  ///< No path from the cell costs less.
+    bool is_exact;        ///< One costs as much by the known costs.
+  };
+  /// What remains of the way. Consistent: never above a step and what remains after it.
+  Bound bound(Cell c) const;
+  /// The next cell on the path from a cell whose bound is exact; none at the goal.
+  std::optional<Cell> next(Cell c) const;
 
  private:
   using Node = PotentialCells::Node;
   static constexpr std::uint32_t kUnreached = PotentialCells::kUnreached;
   static constexpr std::uint8_t kRoot = PotentialCells::kRoot;
-  static constexpr std::uint32_t kBlockedStep = 0x80000000U;
   /// Values stay below this, so that sums do not wrap around.
   static constexpr std::uint32_t kLimit = 0x7FFFFFFFU;
 
@@ -100,11 +124,6 @@ class Potential {
   struct Scale {
     double value = 1.0;
     double coarser = 1.0;  ///< by which it is divided, for paths that would not fit
-  };
-  /// What a step costs, by the cost of the cell.
-  struct StepTable {
-    std::array<std::uint32_t, 256> straight{}, diagonal{};
-    std::uint32_t least_straight = 0, least_diagonal = 0;
   };
   /// A cell that is expanded, and those around it.
   struct Around {

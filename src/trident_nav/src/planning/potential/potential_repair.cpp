@@ -10,6 +10,9 @@
 // changed one are opened again.
 #include "planning/potential/potential.h"
 
+#include <algorithm>
+#include <optional>
+
 namespace trident::nav {
 
 void Potential::take_changes() {
@@ -147,6 +150,23 @@ void Potential::reopen_around(Packed p) {
   };
   reopen(*at.node, p);
   for (int d = 0; d < 8; ++d) reopen(at.next(d), at.packed(d));
+}
+
+// A path by known costs from a cell that is not done leads over an open one, whose key is not below
+// the start's value; a cell's value that with the distance to the start is not above it is exact.
+Potential::Bound Potential::bound(Cell c) const {
+  const Cell at{c.x + 1, c.y + 1};
+  const std::uint32_t found = value(start());
+  const std::uint32_t least = found - std::min(found, distance(at, ends_.start));
+  const std::uint32_t known = value(c);
+  if (known <= least) return {known, true};
+  return {std::max(least, distance(at, ends_.goal)), false};
+}
+
+std::optional<Cell> Potential::next(Cell c) const {
+  const std::size_t parent = cells_[cells_.index(c.x + 1, c.y + 1)].parent;
+  if (parent == kRoot) return std::nullopt;
+  return Cell{c.x + kDx[parent], c.y + kDy[parent]};
 }
 
 }  // namespace trident::nav
