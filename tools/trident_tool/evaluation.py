@@ -10,12 +10,14 @@ from __future__ import annotations
 import argparse
 import importlib
 import importlib.util
+import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from trident_tool.building import is_built
 from trident_tool.formation import Handler
 from trident_tool.links import run_at_master
 from trident_tool.modules import run_module
@@ -109,4 +111,20 @@ def _cmd_latency(workspace: Workspace, runner: Runner, options: argparse.Namespa
     return run_at_master(workspace, runner, module, [*before, *words_of(options, options.argv)])
 
 
-_HANDLERS: dict[str, Handler] = {"report": _cmd_report, "latency": _cmd_latency}
+def _cmd_sweep(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    """A dry run shows which runs there are; runs of launch files call the program that this is."""
+    if not runner.dry_run:
+        os.environ["TRIDENT_PROGRAM"] = str(workspace.root / "trident")
+        return _run(workspace, runner, options)
+    if not is_built(workspace):
+        return _run(workspace, runner, options)
+    module, *before = options.call
+    words = [*before, *words_of(options, options.argv), "--plan"]
+    return run_module(workspace, Runner(), module, words)
+
+
+_HANDLERS: dict[str, Handler] = {
+    "report": _cmd_report,
+    "latency": _cmd_latency,
+    "sweep": _cmd_sweep,
+}

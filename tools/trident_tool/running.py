@@ -153,7 +153,8 @@ def plan_run(
         if _STRICT_ARG not in declared.settable:
             args.pop(_STRICT_ARG)
     check_args(launch_file, declared, args)
-    folder = new_run_folder(workspace.out, launch_file.stem, datetime.now())
+    runs = Path(env.get("TRIDENT_RUNS", workspace.out))  # a sweep has a folder for each run
+    folder = new_run_folder(runs, launch_file.stem, datetime.now())
     port = free_port()
     run_env = run_environment(env, folder, port, real_time_factor)
     if not is_built:
@@ -165,9 +166,15 @@ def plan_run(
     return Run(folder, tuple(words), launch_file, args, port, run_env, plan)
 
 
+def _shown(workspace: Workspace, folder: Path) -> Path:
+    """A folder as it is called in the clone."""
+    return folder.relative_to(workspace.root) if folder.is_relative_to(workspace.root) else folder
+
+
 def open_run_folder(workspace: Workspace, run: Run) -> None:
     """Makes the run's folder with launch.json, and points out/latest at it."""
-    hide_from_crawlers(workspace.out)
+    runs = run.folder.parent
+    hide_from_crawlers(runs)
     for folder in (run.folder, run.folder / "log", run.folder / "ros_home"):
         folder.mkdir(parents=True)
     save_launch(
@@ -178,9 +185,9 @@ def open_run_folder(workspace: Workspace, run: Run) -> None:
         args=run.args,
         env=run.env,
     )
-    temporary = workspace.out / f".latest.{os.getpid()}"
+    temporary = runs / f".latest.{os.getpid()}"
     temporary.symlink_to(run.folder.name)
-    temporary.replace(workspace.out / "latest")
+    temporary.replace(runs / "latest")
 
 
 def launch(run: Run) -> Ending:
@@ -266,13 +273,13 @@ def run_launch_file(workspace: Workspace, runner: Runner, words: Sequence[str]) 
     run = plan_run(workspace, words, ros_environment(workspace))
     check_formations(run.plan, run.env)
     open_run_folder(workspace, run)
-    say(f"{run.launch_file.name} -> {run.folder.relative_to(workspace.root)}")
+    say(f"{run.launch_file.name} -> {_shown(workspace, run.folder)}")
     say("to look inside while it runs: ./trident shell, then rostopic, rosnode, rosservice …")
     ending = launch(run)
     save_faults(run.folder, ending.faults)
     if ending.code == _INTERRUPTED:
         _close_recordings(run, runner)
-        say(f"interrupted; plots: ./trident report {run.folder.relative_to(workspace.root)}")
+        say(f"interrupted; plots: ./trident report {_shown(workspace, run.folder)}")
         return ending.code
     reason = why_failed(run, ending)
     if reason is not None:

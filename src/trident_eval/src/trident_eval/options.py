@@ -147,6 +147,39 @@ def _whole(text: str, low: int, high: int) -> int:
     return value
 
 
+def add_sweep(parser: argparse.ArgumentParser) -> None:
+    """Of `./trident sweep`."""
+    parser.add_argument(
+        "scenario", nargs="?", type=Path, metavar="SCENARIO.yaml", help="what to run"
+    )
+    parser.add_argument(
+        "--engine",
+        type=_engine,
+        default="local",
+        metavar="NAME",
+        help="local (default), dask: a cluster of this machine, or dask:tcp://HOST:8786",
+    )
+    parser.add_argument("--workers", type=_workers, metavar="N", help="default: the cores")
+    parser.add_argument("--out", type=Path, metavar="DIR", help="default: NAME_sweep, here")
+    parser.add_argument("--only", default="", metavar="KEY", help="repeat this run alone")
+    parser.add_argument(
+        "--plan", action="store_true", help="say which runs there are, and make none (or --dry-run)"
+    )
+    parser.add_argument(
+        "--serve", action="store_true", help="a Dask scheduler and workers, on loopback"
+    )
+
+
+def _engine(text: str) -> str:
+    if text not in ("local", "dask") and not text.startswith("dask:tcp://"):
+        raise argparse.ArgumentTypeError(f"{text}; legal: local, dask, dask:tcp://HOST:PORT")
+    return text
+
+
+def _workers(text: str) -> int:
+    return _whole(text, 1, 1024)
+
+
 _SLAM = "trident_eval.slam"
 #: Commands of ./trident.
 COMMANDS = (
@@ -174,6 +207,12 @@ COMMANDS = (
         ("trident_eval.latency",),
         "how long the messages of a topic take, next to those of a bare one",
         add_latency,
+    ),
+    Command(
+        "sweep",
+        ("trident_eval.sweep",),
+        "many seeded runs of a function or a launch file: table, intervals, report",
+        add_sweep,
     ),
     Command(
         "posegraph",

@@ -96,7 +96,9 @@ def check_gpsd(ros: Ros, boat: Boat, source: str) -> None:
     def reports() -> list[dict[str, Any]]:
         whole = pipes[-1].log.rpartition("\n")[0].splitlines()
         lines = [json.loads(line) for line in whole if line.startswith("{")]
-        return [line for line in lines if line["class"] == "TPV" and line.get("altHAE")]
+        # Where a cycle of sentences was late, gpsd reports what it has of it.
+        fixes = [line for line in lines if line["class"] == "TPV"]
+        return [line for line in fixes if {"altHAE", "status", "track", "speed"} <= line.keys()]
 
     def has_enough() -> bool:
         if not pipes or pipes[-1].popen.poll() is not None:  # gpsd was not up yet

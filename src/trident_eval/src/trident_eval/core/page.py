@@ -77,7 +77,7 @@ def page(report: Report) -> str:
         *_verdict(report.verdict),
         *_warnings(report.warnings),
         *_flown(report.flown),
-        *(_figure(picture) for picture in report.pictures),
+        *(html_figure(picture) for picture in report.pictures),
         *_repeat(report),
         *_went_in(report.provenance),
         *_versions(report),
@@ -144,10 +144,11 @@ def _flown(flown: Sequence[FlightLog]) -> Iterable[str]:
         ]
         for one in flown
     ]
-    yield _table(rows, header)
+    yield html_table(rows, header)
 
 
-def _figure(picture: Path) -> str:
+def html_figure(picture: Path) -> str:
+    """A PNG or GIF with its caption, inside the page."""
     data = base64.b64encode(picture.read_bytes()).decode()
     caption = html.escape(_CAPTIONS.get(picture.stem, picture.stem))
     name = html.escape(picture.name)
@@ -180,7 +181,7 @@ def _to_compare(run: dict[str, Any]) -> Iterable[str]:
         yield "<p class='bad'>It is not repeatable to the bit; the verdict says who, when, why.</p>"
         return
     yield "<p>It is the same run, to the bit, if these come out again:</p>"
-    yield _table(facts)
+    yield html_table(facts)
 
 
 def _went_in(provenance: Provenance) -> Iterable[str]:
@@ -195,13 +196,13 @@ def _went_in(provenance: Provenance) -> Iterable[str]:
     facts += [(f"{name}:=", str(value)) for name, value in launch.get("args", {}).items()]
     if facts or provenance.parameters or provenance.files:
         yield "<h2>What went in</h2>"
-        yield _table(facts)
+        yield html_table(facts)
     if provenance.files:
         rows = sorted(provenance.files.items())
-        yield _folded(f"{len(rows)} files and their SHA-256", _table(rows))
+        yield _folded(f"{len(rows)} files and their SHA-256", html_table(rows))
     if provenance.parameters:
         rows = provenance.flat_parameters()
-        yield _folded(f"{len(rows)} parameters", _table(rows))
+        yield _folded(f"{len(rows)} parameters", html_table(rows))
 
 
 def _versions(report: Report) -> Iterable[str]:
@@ -213,13 +214,14 @@ def _versions(report: Report) -> Iterable[str]:
     ]
     shown += [(f"{name} (of this page)", text) for name, text in report.drawn_with.items()]
     yield "<h2>Versions</h2>"
-    yield _table(shown)
+    yield html_table(shown)
     libraries = launch.get("versions", {})
     if libraries:
-        yield _folded(f"{len(libraries)} packages", _table(sorted(libraries.items())))
+        yield _folded(f"{len(libraries)} packages", html_table(sorted(libraries.items())))
 
 
-def _table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
+def html_table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
+    """Rows of texts as a table."""
     head = "<tr>" + "".join(f"<th>{html.escape(cell)}" for cell in header) if header else ""
     body = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}" for cell in row) for row in rows)
     return f"<table>{head}{body}</table>"

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -46,6 +47,14 @@ class Section:
         line = self._nodes[name].start_mark.line + 1
         return FormationError(f"{self._file}:{line}: {name}: {problem}")
 
+    def error_here(self, problem: str) -> FormationError:
+        """An error about the section as a whole."""
+        return FormationError(f"{self.where}: {problem}")
+
+    def names(self) -> list[str]:
+        """All keys, in the order of the file."""
+        return list(self._nodes)
+
     def number(self, name: str, default: float) -> float:
         """A finite number."""
         value = self._value(name, default)
@@ -76,6 +85,36 @@ class Section:
         if numbers is None:
             raise self.error(name, f"{value!r}; legal: three finite numbers, e.g. [1, 0, 0.5]")
         return numbers
+
+    def choice(self, name: str, legal: Sequence[str]) -> str:
+        """A text that has to be there and to be one of these."""
+        value = self.value(name)
+        if value not in legal:
+            near = nearest(value, legal) if isinstance(value, str) else ""
+            raise self.error(name, f"{value!r}{near}; legal: {', '.join(legal)}")
+        return str(value)
+
+    def value(self, name: str) -> Any:
+        """Whatever stands under a key that has to be there."""
+        return yaml.SafeLoader("").construct_object(self._node(name), deep=True)
+
+    def items(self, name: str) -> list[Any]:
+        """The list under a key that has to be there."""
+        if not isinstance(self._node(name), yaml.SequenceNode):
+            raise self.error(name, "no list; legal: [VALUE, ...]")
+        return list(self.value(name))
+
+    def mapping(self, name: str) -> dict[str, Any]:
+        """The mapping under a key, whatever its keys are; empty if it is not there."""
+        if name not in self._nodes:
+            self._known.append(name)
+            return {}
+        inner = self.section(name)
+        return {key: inner.value(key) for key in inner.names()}
+
+    def is_list(self, name: str) -> bool:
+        """Whether a list stands under a key."""
+        return isinstance(self._nodes.get(name), yaml.SequenceNode)
 
     def section(self, name: str) -> Section:
         """The mapping under a key that has to be there."""
@@ -115,8 +154,7 @@ class Section:
         if name not in self._nodes:
             self._known.append(name)
             return default
-        loader = yaml.SafeLoader("")
-        return loader.construct_object(self._node(name), deep=True)
+        return self.value(name)
 
 
 def load(path: Path) -> Section:
