@@ -64,7 +64,7 @@ class LedSearch : public ::testing::Test {
     }
     return sum;
   }
-  /// What is found costs as much as Dijkstra's path, and bounds about that are told apart.
+  /// What is found costs as much as Dijkstra's path, and bounds about that are distinguished.
   void expect_least(Cell start) {
     const CostGrid view = grid_.view();
     const double least =
@@ -126,7 +126,7 @@ TEST_F(LedSearch, StaysNearWhatBecameDearer) {
   EXPECT_LT(search_.expanded(), 2000U);
 }
 
-TEST_F(LedSearch, TellsACutOffStartACanceledSearchAndOneThatIsTooLong) {
+TEST_F(LedSearch, DistinguishesACutOffStartACanceledSearchAndOneThatIsTooLong) {
   const Cell start{10, 10};
   ASSERT_EQ(search(start), Result::kFound);
   for (int y = 0; y < kHeight; ++y) grid_(75, y) = kLethalCost;

@@ -25,7 +25,7 @@ FIELDS = (
 EXPERT_WARNING = 0x600000  # and what is graver; TCP's own remarks are below
 READS = {1, 2, 3, 4}
 READABLE = (("coil", 0, 10), ("discrete", 0, 2), ("input", 0, 9), ("holding", 1, 2))
-PIPELINE = 4  # queries of our client under way at once
+PIPELINE = 4  # queries of our client open at once
 Publish = Callable[[str, Any], None]
 
 

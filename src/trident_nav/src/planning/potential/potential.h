@@ -82,7 +82,7 @@ class Potential {
     std::uint32_t value;  ///< No path from the cell costs less.
     bool is_exact;        ///< One costs as much by the known costs.
   };
-  /// What remains of the way. Consistent: never above a step and what remains after it.
+  /// What remains of the path. Consistent: never above a step and what remains after it.
   Bound bound(Cell c) const;
   /// The next cell on the path from a cell whose bound is exact; none at the goal.
   std::optional<Cell> next(Cell c) const;

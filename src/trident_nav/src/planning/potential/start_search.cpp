@@ -62,7 +62,7 @@ void StartSearch::join(Cell c, std::uint32_t value) {
 }
 
 // Whether the potential's path from a cell costs in the grid what the potential knows. All cells
-// that are seen on the way keep the answer.
+// that are seen meanwhile keep the answer.
 bool StartSearch::is_tail_free(Cell c) {
   if (!potential_->bound(c).is_exact) return false;
   Tail tail = node(c).tail;

@@ -18,7 +18,7 @@ namespace trident::nav {
 /// A search from the start over the grid's own costs, led by a kept potential whose known costs are
 /// nowhere above them: A* with a heuristic that is exact but for what has become dearer (the idea
 /// of Koenig and Likhachev, "Adaptive A*", AAMAS 2005). It spreads only where a dearer cell is in
-/// the way, and ends where the potential's path from a cell to the goal is as it was.
+/// the path, and ends where the potential's path from a cell to the goal is as it was.
 class StartSearch {
  public:
   enum class Result { kFound, kBound, kTooLong, kNoPath, kCanceled };
