@@ -60,6 +60,7 @@ def test_a_wrong_command_line_is_one_line_and_exit_code_2(
         ("slam", "--method --config --out --relations --truth --no-pictures"),
         ("evaluate", "--relations --truth --align --map --true-map --out --no-pictures"),
         ("posegraph", "--robust --init --strategy --solver --iterations --tolerance --strict"),
+        ("sweep", "--engine --workers --out --only --plan --serve"),
     ],
 )
 def test_a_command_of_a_module_documents_all_its_options(

@@ -62,6 +62,7 @@ COMMANDS = (
     "latency",
     "modbus",
     "posegraph",
+    "sweep",
     "mavlink",
     "worldmap",
     "worldgen",
