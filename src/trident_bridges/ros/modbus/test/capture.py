@@ -9,7 +9,7 @@ import socket
 import struct
 import threading
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -45,6 +45,8 @@ def _relay(listener: socket.socket, target: int, conversation: Conversation) -> 
         for sender, end in enumerate(ends):
             stack.enter_context(end)
             ready.register(end, selectors.EVENT_READ, sender)
+        # Who closes while bytes are still unread resets the connection: that is its end, too.
+        stack.enter_context(suppress(ConnectionError))
         while True:
             for key, _ in ready.select():
                 piece = ends[key.data].recv(4096)
