@@ -22,7 +22,7 @@ HEADER = Path("/usr/include/ns3/core-module.h")
 _LIBRARIES = ("core", "network", "wifi", "propagation", "mobility", "internet", "applications")
 _MISSING = (
     "libns3-dev is not installed, so that nothing is compared with ns-3 in this run; goodput is"
-    " compared with recorded runs where there are some. apt-get install libns3-dev"
+    " compared with recorded runs. apt-get install libns3-dev"
 )
 
 Curve = npt.NDArray[np.float64]

@@ -56,7 +56,11 @@ def circle(count: int, radius: float) -> dict[str, tuple[float, float]]:
 
 
 def goodput(
-    world: trident_sim.World, sources: Sequence[str], payload: int, seconds: float
+    world: trident_sim.World,
+    sources: Sequence[str],
+    payload: int,
+    seconds: float,
+    warm_up: float = 0.0,
 ) -> float:
     """What comes to `sink` from sources that always have something to send.
 
@@ -64,19 +68,22 @@ def goodput(
         world: of radio_world().
         sources: names of radios.
         payload: bytes of a UDP datagram; its headers come on top.
-        seconds: simulated time.
+        seconds: simulated time that counts.
+        warm_up: simulated time before it.
 
     Returns:
         [Mbit/s] of payload.
     """
     data = bytes(payload + IP_UDP_BYTES)
     received = 0
-    for _ in range(round(seconds / _STEP_S)):
+    before, steps = round(warm_up / _STEP_S), round((warm_up + seconds) / _STEP_S)
+    for step in range(steps):
         for source in sources:
             while world.radio.send(source, "sink", data):
                 pass
         world.step()
-        received += len(world.radio.receive("sink"))
+        heard = len(world.radio.receive("sink"))
+        received += heard if step >= before else 0
     return 8e-6 * received * payload / seconds
 
 
