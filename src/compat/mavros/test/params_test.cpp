@@ -132,6 +132,15 @@ TEST(MavrosParams, WheelsOfUpstreamsFileAreRead) {
   EXPECT_EQ(params.tf.child_frame_id, "uav1/base_link");
 }
 
+TEST(MavrosParams, AWheelWhoseParametersWereDeletedIsNoWheel) {
+  XmlRpc::XmlRpcValue all;
+  int offset = 0;
+  const XmlRpc::XmlRpcValue empty("<value><struct></struct></value>", &offset);
+  all["wheel_odometry"]["wheel0"] = empty;
+  all["wheel_odometry"]["wheel1"] = empty;
+  EXPECT_FALSE(read(all).wheel_odometry.wheel0);
+}
+
 /// The vehicles of a node /fleet/mavros with these parameters.
 std::vector<VehicleParams> vehicles_of(const XmlRpc::XmlRpcValue& node,
                                        const std::map<std::string, XmlRpc::XmlRpcValue>& others) {

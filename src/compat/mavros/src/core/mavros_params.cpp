@@ -74,7 +74,8 @@ void read_distance_sensors(ros_utils::NodeParams& params, MavrosParams& result) 
   }
 }
 
-/// The odometry is that of wheel0 and wheel1; files have those of all wheels.
+/// The odometry is that of wheel0 and wheel1; files have those of all wheels. One without a value
+/// is left out: a parameter server keeps a section whose last parameter was deleted.
 void drop_more_wheels(ros_utils::NodeParams& params) {
   std::optional<ConfigNode> section = params.take("wheel_odometry");
   if (!section) return;
@@ -87,9 +88,11 @@ void drop_more_wheels(ros_utils::NodeParams& params) {
     const bool is_wheel = key.rfind("wheel", 0) == 0 && key.size() > 5 &&
                           key.find_first_not_of("0123456789", 5) == std::string::npos;
     if (is_wheel && key != "wheel0" && key != "wheel1") continue;
+    const ConfigNode& value = section->items[i];
+    if (is_wheel && value.kind == ConfigNode::Kind::kMap && value.keys.empty()) continue;
     kept.keys.push_back(key);
     kept.key_lines.push_back(section->key_lines[i]);
-    kept.items.push_back(section->items[i]);
+    kept.items.push_back(value);
   }
   params.set("wheel_odometry", kept);
 }

@@ -169,11 +169,20 @@ class Ros(RosProcesses):
         for process in reversed(self.programs):
             process.stop(limit_s=10.0)
         self.programs.clear()
-        for name in self.master.getParamNames(CALLER)[2]:
-            if name not in self._permanent:
-                self.master.deleteParam(CALLER, name)
+        self._forget_parameters()
         self.set_param("/use_sim_time", False)
         self._forget_dead_nodes()
+
+    def _forget_parameters(self) -> None:
+        """Delete them with their sections, which stay when the last parameter of one goes."""
+        left = [
+            name for name in self.master.getParamNames(CALLER)[2] if name not in self._permanent
+        ]
+        kept = {name.split("/")[1] for name in self._permanent}
+        for section in {name.split("/")[1] for name in left} - kept:
+            self.master.deleteParam(CALLER, f"/{section}")
+        for name in left:
+            self.master.deleteParam(CALLER, name)
 
     def _forget_dead_nodes(self) -> None:
         """Unregister what a kill -9 left behind, so that no test finds another one's nodes."""
