@@ -1,132 +1,182 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
-"""MAVProxy, unchanged, flies a simulated vehicle: parameters, modes, a mission, the return."""
+"""MAVProxy, unchanged, leads UAV, UGV and USV at once: parameters, modes, a mission, the return."""
 
 from __future__ import annotations
 
-import subprocess
-import threading
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+import math
+import re
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from pathlib import Path
 
+from mavproxy import MavProxy, mavproxy
 from trident.testing import Launch, eventually
 from trident.testing.clients import clients_python
-from trident.testing.mavlink_vehicles import write_fleet
+from trident.testing.mavlink_vehicles import KINDS, write_fleet
 
-LIMIT_S = 60.0
-AT_ONCE_S = 0.5
 #: Ten times real time is what MAVProxy keeps up with.
-LAUNCH = """<launch>
-  <include file="$(find trident_bringup)/launch/mavlink_fleet.launch">
-    <arg name="vehicles" value="{vehicles}"/>
-    <arg name="real_time_factor" value="10"/>
-  </include>
-</launch>
-"""
-MODULES = "cmdlong,mode,arm,wp,misc,param,rc,battery"
-#: A take-off and two places next to where uav1 starts; item 0 is home.
-MISSION = """QGC WPL 110
-0 1 0 16 0 0 0 0 63.4394 10.3992 0 1
-1 0 3 22 0 0 0 0 0 0 8 1
-2 0 3 16 0 2 0 0 63.43935 10.39925 10 1
-3 0 3 16 0 2 0 0 63.4393 10.39915 10 1
-"""
+FACTOR = 10
+ORIGIN = (63.4389, 10.399)  # of the world
+LEG_M = 5.0
+ITEMS = 20  # besides home, which is item 0
+METERS_PER_DEGREE = 111_480.0  # of latitude, at the origin
+ROUNDED_DEG = 1e-6  # in files of MAVProxy
+TAKE_OFF, WAYPOINT = 22, 16
+Place = tuple[float, float, float]
 
 
-class MavProxy:
-    """It, its words and what it says."""
+@dataclass(frozen=True)
+class Craft:
+    """What is asked of a vehicle. Places are x, y, z from where it starts [m].
 
-    def __init__(self, python: Path, port: int, folder: Path) -> None:
-        script = python.parent / "mavproxy.py"
-        master = [f"--master=tcp:127.0.0.1:{port}", f"--state-basedir={folder}", "--aircraft=uav"]
-        self.process = subprocess.Popen(
-            [str(python), str(script), *master, f"--default-modules={MODULES}"],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            bufsize=1,
-        )
-        self.lines: list[str] = []
-        self._heard = threading.Condition()
-        self._reader = threading.Thread(target=self._read, daemon=True)
-        self._reader.start()
+    Attributes:
+        speed: a parameter, and what it is set to.
+        goal: of the first way.
+        route: of the mission.
+        tolerance_m: around a place.
+        height_m: of its take-off; 0: it does not fly.
+    """
 
-    def _read(self) -> None:
-        assert self.process.stdout is not None
-        for line in self.process.stdout:
-            with self._heard:
-                self.lines.append(line.rstrip())
-                self._heard.notify_all()
-
-    def expect(self, text: str, since: int = 0) -> None:
-        """Until it says so."""
-        with self._heard:
-            assert self._heard.wait_for(
-                lambda: any(text in line for line in self.lines[since:]), LIMIT_S
-            ), f"no '{text}' in\n" + "\n".join(self.lines)
-
-    def say(self, line: str) -> None:
-        """Type a line."""
-        assert self.process.stdin is not None
-        self.process.stdin.write(line + "\n")
-        self.process.stdin.flush()
-
-    def command(self, line: str, answer: str) -> None:
-        """Type a line, and wait for what it must say then."""
-        since = len(self.lines)
-        self.say(line)
-        self.expect(answer, since)
-
-    def answers(self, line: str, answer: str) -> bool:
-        """Type a line; whether it says so at once."""
-        since = len(self.lines)
-        self.say(line)
-        with self._heard:
-            return self._heard.wait_for(
-                lambda: any(answer in one for one in self.lines[since:]), AT_ONCE_S
-            )
+    speed: tuple[str, float]
+    goal: Place
+    route: list[Place]
+    tolerance_m: float
+    height_m: float = 0.0
 
 
-@contextmanager
-def mavproxy(port: int, folder: Path) -> Iterator[MavProxy]:
-    """Started, and ended with the test."""
-    client = MavProxy(clients_python("MAVProxy"), port, folder)
-    try:
-        yield client
-    finally:
-        client.process.kill()
-        client.process.wait()
+def ring(heading: float, heights: tuple[float, ...]) -> list[Place]:
+    """Legs along a polygon that begins with this heading [rad], and does not quite end."""
+    places, x, y = [], 0.0, 0.0
+    for i in range(ITEMS):
+        direction = heading + 2.0 * math.pi * i / (ITEMS + 2)
+        x, y = x + LEG_M * math.cos(direction), y + LEG_M * math.sin(direction)
+        places.append((x, y, heights[i % len(heights)]))
+    return places
 
 
-def test_mavproxy_flies_a_mission_and_returns(
+def road() -> list[Place]:
+    """Legs ahead and back, which do not quite end where they began."""
+    ways = [LEG_M * i for i in (1, 2, 3, 4, 5, 4, 3)]
+    return [(ways[i % len(ways)], 0.0, 0.0) for i in range(ITEMS)]
+
+
+CRAFTS = {
+    "uav1": Craft(("WPNAV_SPEED", 450.0), (0.0, -5.0, 8.0), ring(0.0, (6.0, 8.0)), 1.0, 6.0),
+    "ugv1": Craft(("WP_SPEED", 1.75), (5.0, 0.0, 0.0), road(), 2.5),
+    "usv1": Craft(("WP_SPEED", 2.5), (0.0, -5.0, 0.0), ring(-math.pi / 2, (0.0,)), 3.0),
+}
+
+
+def on_earth(start: Place, offset: Place) -> tuple[float, float]:
+    """Latitude and longitude of a place next to one in the world [deg]."""
+    across = METERS_PER_DEGREE * math.cos(math.radians(ORIGIN[0]))
+    x, y = start[0] + offset[0], start[1] + offset[1]
+    return ORIGIN[0] + y / METERS_PER_DEGREE, ORIGIN[1] + x / across
+
+
+class Errand:
+    """One vehicle, its MAVProxy and what it is to do."""
+
+    def __init__(self, run: Launch, name: str, client: MavProxy, folder: Path) -> None:
+        self.run, self.name, self.client, self.folder = run, name, client, folder
+        self.craft = CRAFTS[name]
+        self.start = run.position(name)
+
+    def _reach(self, offset: tuple[float, ...], what: str) -> None:
+        """Its height counts where it flies and `offset` has one."""
+        count = len(offset) if self.craft.height_m else 2
+
+        def is_there() -> bool:
+            way = [a - b for a, b in zip(self.run.position(self.name), self.start, strict=True)]
+            return math.dist(way[:count], offset[:count]) < self.craft.tolerance_m
+
+        eventually(is_there, f"{self.name}: {what}")
+
+    def prepare(self) -> None:
+        """Parameters, and the mode of what follows."""
+        name, value = self.craft.speed
+        self.client.expect("parameters")
+        self.client.say(f"param set {name} {value:g}")
+        eventually(lambda: self.client.answers(f"param show {name}", f" {value}"), "another speed")
+        self.client.command("mode GUIDED", "DO_SET_MODE: ACCEPTED")
+        self.client.command("arm throttle", "COMPONENT_ARM_DISARM: ACCEPTED")
+
+    def set_out(self) -> None:
+        """Take-off of what flies, and a way."""
+        height = self.craft.height_m
+        if height:
+            self.client.command(f"takeoff {height:g}", "NAV_TAKEOFF: ACCEPTED")
+            self._reach((0.0, 0.0, height), "take-off")
+        latitude, longitude = on_earth(self.start, self.craft.goal)
+        words = f"guided {latitude:.7f} {longitude:.7f} {self.craft.goal[2]:g}"
+        self.client.command(words, "DO_REPOSITION: ACCEPTED")
+        self._reach(self.craft.goal, "the way")
+
+    def _items(self) -> list[tuple[int, float, float, float]]:
+        items = [(WAYPOINT, *on_earth(self.start, one), one[2]) for one in self.craft.route]
+        if self.craft.height_m:
+            items[0] = (TAKE_OFF, *items[0][1:])
+        return items
+
+    def carry_out_mission(self) -> None:
+        """Up, down and along."""
+        there, back = self.folder / "there.txt", self.folder / "back.txt"
+        items = [(WAYPOINT, *ORIGIN, 0.0), *self._items()]
+        lines = [
+            "\t".join([str(i), "0", "3", str(command), *"0000", *map(str, place), "1"])
+            for i, (command, *place) in enumerate(items)
+        ]
+        there.write_text("\n".join(["QGC WPL 110", *lines, ""]), encoding="utf-8")
+        self.client.command(f"wp load {there}", "MISSION_ACK: TYPE_MISSION: ACCEPTED")
+        self.client.command(f"wp save {back}", f"Saved {len(items)} ")
+        saved = [line.split("\t") for line in back.read_text(encoding="utf-8").splitlines()[1:]]
+        got = [(int(row[3]), *map(float, row[8:11])) for row in saved]
+        assert [row[0] for row in got] == [item[0] for item in items]
+        for row, item in zip(got[1:], items[1:], strict=True):  # home is the vehicle's own
+            assert math.dist(row[1:], item[1:]) < ROUNDED_DEG, (row, item)
+        since = len(self.client.lines)
+        self.client.command("mode AUTO", "Mission is finished.")
+        said = (re.search(r"waypoint (\d+)$", line) for line in self.client.lines[since:])
+        # Where the first is, it may be already.
+        assert {int(match[1]) for match in said if match} >= set(range(2, ITEMS + 1))
+        self._reach(self.craft.route[-1], "the last place")
+
+    def come_home(self) -> None:
+        """Where it started, and switched off."""
+        since = len(self.client.lines)
+        self.client.command("mode RTL", "DO_SET_MODE: ACCEPTED")
+        self._reach((0.0, 0.0), "home")
+        if self.craft.height_m:
+            self.client.command("mode LAND", "DO_SET_MODE: ACCEPTED")
+            self.client.expect("Disarmed: landed.", since)
+            self._reach((0.0, 0.0, 0.0), "the ground")
+        else:
+            self.client.command("disarm", "COMPONENT_ARM_DISARM: ACCEPTED")
+
+    def do(self) -> None:
+        """All of it."""
+        self.prepare()
+        self.set_out()
+        self.carry_out_mission()
+        self.come_home()
+        assert not any("breach" in line or "denied" in line for line in self.client.lines)
+
+
+def test_mavproxy_leads_three_vehicles_at_once(
     launch: Callable[..., Launch], tmp_path: Path
 ) -> None:
-    clients_python("MAVProxy")
+    clients_python("MAVProxy")  # before anything is started for it
     fleet = write_fleet(tmp_path)
-    mission = tmp_path / "mission.txt"
-    mission.write_text(MISSION.replace(" ", "\t").replace("QGC\tWPL\t110", "QGC WPL 110"))
-    file = tmp_path / "fleet.launch"
-    file.write_text(LAUNCH.format(vehicles=fleet.path))
-    run = launch(str(file))
+    words = ("trident_bringup", "mavlink_fleet.launch")
+    run = launch(*words, vehicles=str(fleet.path), real_time_factor=FACTOR)
     run.ready()
-    with mavproxy(fleet.port("uav1", "tcp"), tmp_path) as client:
-        client.expect("parameters")
-        client.say("param set WPNAV_SPEED 450")
-        eventually(lambda: client.answers("param show WPNAV_SPEED", "450.0"), "another speed")
-        client.command("mode GUIDED", "DO_SET_MODE: ACCEPTED")
-        client.command("arm throttle", "COMPONENT_ARM_DISARM: ACCEPTED")
-        client.command("takeoff 6", "NAV_TAKEOFF: ACCEPTED")
-        eventually(lambda: run.position("uav1")[2] > 7.0, "a height of 6 m above the start")
-        client.command(f"wp load {mission}", "MISSION_ACK: TYPE_MISSION: ACCEPTED")
-        client.command("wp list", "63.4393000000")
-        client.command("mode AUTO", "Mission is finished.")
-        client.command("mode GUIDED", "DO_SET_MODE: ACCEPTED")
-        client.command("guided 63.43935 10.39925 12", "DO_REPOSITION: ACCEPTED")
-        eventually(lambda: run.position("uav1")[2] > 12.5, "12 m above the start")
-        client.command("mode RTL", "Disarmed: landed.")
-        assert not any("breach" in line for line in client.lines)
-    x, y, _ = run.position("uav1")
-    assert abs(x - 10.0) < 1.0
-    assert abs(y - 57.0) < 1.0
+
+    def lead(name: str) -> None:
+        folder = tmp_path / name
+        with mavproxy(fleet.port(name, "tcp"), folder) as client:
+            Errand(run, name, client, folder).do()
+
+    with ThreadPoolExecutor() as pool:
+        list(pool.map(lead, KINDS))
