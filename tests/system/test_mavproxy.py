@@ -33,7 +33,7 @@ class Craft:
 
     Attributes:
         speed: a parameter, and what it is set to.
-        goal: of the first way.
+        goal: where it goes first.
         route: of the mission.
         tolerance_m: around a place.
         height_m: of its take-off; 0: it does not fly.
@@ -58,8 +58,8 @@ def ring(heading: float, heights: tuple[float, ...]) -> list[Place]:
 
 def road() -> list[Place]:
     """Legs ahead and back, which do not quite end where they began."""
-    ways = [LEG_M * i for i in (1, 2, 3, 4, 5, 4, 3)]
-    return [(ways[i % len(ways)], 0.0, 0.0) for i in range(ITEMS)]
+    ahead = [LEG_M * i for i in (1, 2, 3, 4, 5, 4, 3)]
+    return [(ahead[i % len(ahead)], 0.0, 0.0) for i in range(ITEMS)]
 
 
 CRAFTS = {
@@ -89,22 +89,27 @@ class Errand:
         count = len(offset) if self.craft.height_m else 2
 
         def is_there() -> bool:
-            way = [a - b for a, b in zip(self.run.position(self.name), self.start, strict=True)]
-            return math.dist(way[:count], offset[:count]) < self.craft.tolerance_m
+            here = self.run.position(self.name)
+            moved = [a - b for a, b in zip(here, self.start, strict=True)]
+            return math.dist(moved[:count], offset[:count]) < self.craft.tolerance_m
 
         eventually(is_there, f"{self.name}: {what}")
 
     def prepare(self) -> None:
         """Parameters, and the mode of what follows."""
         name, value = self.craft.speed
+
+        def has_speed() -> bool:
+            self.client.say(f"param set {name} {value:g}")
+            return self.client.answers(f"param show {name}", f" {value}")
+
         self.client.expect("parameters")
-        self.client.say(f"param set {name} {value:g}")
-        eventually(lambda: self.client.answers(f"param show {name}", f" {value}"), "another speed")
+        eventually(has_speed, f"{self.name}: another speed")
         self.client.command("mode GUIDED", "DO_SET_MODE: ACCEPTED")
         self.client.command("arm throttle", "COMPONENT_ARM_DISARM: ACCEPTED")
 
     def set_out(self) -> None:
-        """Take-off of what flies, and a way."""
+        """Take-off of what flies, and a place to go to."""
         height = self.craft.height_m
         if height:
             self.client.command(f"takeoff {height:g}", "NAV_TAKEOFF: ACCEPTED")
@@ -112,7 +117,7 @@ class Errand:
         latitude, longitude = on_earth(self.start, self.craft.goal)
         words = f"guided {latitude:.7f} {longitude:.7f} {self.craft.goal[2]:g}"
         self.client.command(words, "DO_REPOSITION: ACCEPTED")
-        self._reach(self.craft.goal, "the way")
+        self._reach(self.craft.goal, "the goal")
 
     def _items(self) -> list[tuple[int, float, float, float]]:
         items = [(WAYPOINT, *on_earth(self.start, one), one[2]) for one in self.craft.route]
