@@ -18,6 +18,14 @@ std::string cell(const std::string& text) {
   return ' ' + result + " |";
 }
 
+// A cell is no paragraph: of many choices the first ones stand for all; an error lists them.
+std::string shortened(const std::string& legal) {
+  constexpr std::size_t kLongest = 120;
+  const std::string more = ", ...";
+  if (legal.size() <= kLongest) return legal;
+  return legal.substr(0, legal.rfind(", ", kLongest - more.size())) + more;
+}
+
 }  // namespace
 
 std::string markdown_table(const std::vector<DocumentRow>& rows) {
@@ -25,7 +33,7 @@ std::string markdown_table(const std::vector<DocumentRow>& rows) {
       "| key | type | default | legal values | meaning |\n| --- | --- | --- | --- | --- |\n";
   for (const DocumentRow& row : rows) {
     table += '|' + cell('`' + row.key + '`') + cell(row.type) + cell(row.default_value) +
-             cell(row.legal) + cell(row.doc) + '\n';
+             cell(shortened(row.legal)) + cell(row.doc) + '\n';
   }
   return table;
 }

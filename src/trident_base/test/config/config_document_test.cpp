@@ -37,6 +37,16 @@ TEST(ConfigDocument, ListsEveryFieldFromTheSameVisit) {
   EXPECT_EQ(document<VehicleConfig>(), expected);
 }
 
+TEST(ConfigDocument, OfManyChoicesTheFirstStandForAll) {
+  std::string legal = "FIRST";
+  while (legal.size() < 200) legal += ", ANOTHER";
+  const std::string table =
+      config_detail::markdown_table({{"turn", "choice", "none", legal, "where it looks"}});
+  EXPECT_NE(table.find("| FIRST, ANOTHER"), std::string::npos);
+  EXPECT_NE(table.find("ANOTHER, ... | where it looks"), std::string::npos) << table;
+  EXPECT_EQ(table.find(legal), std::string::npos);
+}
+
 TEST(ConfigDocument, MarksRequiredKeys) {
   const std::string table = document<StrictConfig>();
   EXPECT_NE(table.find("| `rate` | number | **required** | > 0 | update rate [Hz] |"),
