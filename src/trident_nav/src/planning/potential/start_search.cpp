@@ -138,7 +138,8 @@ StartSearch::Node& StartSearch::node(Cell c) {
     tiles_.emplace_back();
     number = static_cast<std::uint32_t>(tiles_.size());
   }
-  return tiles_[number - 1][static_cast<std::size_t>(c.y % kSide * kSide + c.x % kSide)];
+  const int within = c.y % kSide * kSide + c.x % kSide;
+  return tiles_[number - 1][static_cast<std::size_t>(within)];
 }
 
 std::vector<Cell> StartSearch::path() const {
@@ -146,8 +147,8 @@ std::vector<Cell> StartSearch::path() const {
   for (Cell c = best_.cell;;) {
     cells.push_back(c);
     const std::uint32_t number = numbers_[tile_of(c)];
-    const std::size_t within = static_cast<std::size_t>(c.y % kSide * kSide + c.x % kSide);
-    const std::size_t parent = tiles_[number - 1][within].parent;
+    const int within = c.y % kSide * kSide + c.x % kSide;
+    const std::size_t parent = tiles_[number - 1][static_cast<std::size_t>(within)].parent;
     if (parent == kRoot) break;
     c = {c.x + kDx[parent], c.y + kDy[parent]};
   }
