@@ -17,6 +17,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_base/yaml_config.h"
 #include "trident_nav/control/motion.h"
+#include "trident_nav/core/footprint.h"
 
 namespace trident::nav::testing {
 namespace {
@@ -306,6 +307,57 @@ TEST_P(PredictsWalkers, FromTheSamePlaceByTheirVelocity) {
 INSTANTIATE_TEST_SUITE_P(Laws, PredictsWalkers,
                          ::testing::Values("dwa", "dwb", "mppi", "teb", "trajectory_planner"),
                          [](const auto& info) { return std::string(info.param); });
+
+// TurtleBot3's Waffle with move_forward_only: it is longer behind than to its sides.
+constexpr const char* kWaffleParams = R"({
+  min_vel_x: 0.0, min_vel_trans: 0.13, max_vel_trans: 0.26, min_vel_theta: 0.9, sim_time: 2.0,
+  vx_samples: 20, vy_samples: 0, vth_samples: 40, path_distance_bias: 32.0,
+  goal_distance_bias: 20.0, occdist_scale: 0.02, forward_point_distance: 0.325})";
+
+ControlSetup waffle() {
+  ControlSetup setup;
+  setup.limits = {0.26, 0.0, 0.0, 1.82, 2.5, 2.5, 0.0, 3.2, 0.0};
+  setup.footprint =
+      polygon_footprint({{-0.205, -0.155}, {-0.205, 0.155}, {0.077, 0.155}, {0.077, -0.155}});
+  setup.tolerance.xy_goal_tolerance = 0.05;
+  setup.tolerance.yaw_goal_tolerance = 0.17;
+  setup.period_s = 0.1;
+  return setup;
+}
+
+Drive drive_waffle(const Scene& scene) {
+  const ConfigNode params = parse_yaml(kWaffleParams, "waffle.yaml");
+  const auto controller = make_controller("dwa", waffle(), params, "waffle.yaml");
+  return drive(*controller, waffle(), scene);
+}
+
+TEST(Dwa, APillarIsPassedByARobotThatMayNotReverse) {
+  const RandomStream random(7, "pillar");
+  for (std::uint64_t i = 0; i < 16; ++i) {
+    GridWorld world(4.0, 4.0);
+    world.fill({1.825, 1.825, 2.175, 2.175});
+    world.inflate(waffle().footprint.inscribed_radius, 1.0, 3.0);
+    const double bearing = 2.0 * kPi * random.uniform(i, 0);
+    const double c = std::cos(bearing), s = std::sin(bearing);
+    const Pose2 start{2.0 + 0.7 * c, 2.0 + 0.7 * s, kPi * (2.0 * random.uniform(i, 1) - 1.0)};
+    const Drive result =
+        drive_waffle({"pillar", std::move(world), start, {2.0 - 1.3 * c, 2.0 - 1.3 * s, 0.0}});
+    EXPECT_TRUE(result.is_reached) << i << ": at " << result.track.back().x << " "
+                                   << result.track.back().y << ": " << result.last_reason;
+  }
+}
+
+TEST(Dwa, ADoorInWhichTheRobotCannotTurnIsPassed) {
+  constexpr double kWidth_m = 0.42, kY_m = 1.525;
+  for (const double deep_m : {0.1, 0.8}) {
+    GridWorld world(4.0, 3.0);
+    world.fill({2.0, 0.0, 2.0 + deep_m, kY_m - 0.5 * kWidth_m});
+    world.fill({2.0, kY_m + 0.5 * kWidth_m, 2.0 + deep_m, 3.0});
+    world.inflate(waffle().footprint.inscribed_radius, 1.0, 3.0);
+    const Drive result = drive_waffle({"door", std::move(world), {0.7, 1.2, 0.0}, {3.5, 1.5, 0.0}});
+    EXPECT_TRUE(result.is_reached) << deep_m << ": " << result.last_reason;
+  }
+}
 
 }  // namespace
 }  // namespace trident::nav::testing

@@ -63,6 +63,9 @@ class DwaLaw final : public ControlLaw {
 
   // Grids count cells, biases are per meter.
   static constexpr double kTypicalResolution = 0.05;
+  // A cell less of turning room outweighs cells that are won along the path: with 1.5 a robot that
+  // may not reverse gets stuck at single pillars, with 6 it hesitates at doors.
+  static constexpr double kRoomShare = 3.0;
 
   // A robot that neither drives nor turns as fast gets nowhere; but not faster than it can be yet.
   static double slowest(double wanted, double limit, double reachable) {
@@ -110,6 +113,7 @@ class DwaLaw final : public ControlLaw {
     critics.push_back(make_grid_critic(GridKind::kPath, path, ahead_m, silent_m, all));
     critics.push_back(make_grid_critic(GridKind::kPath, path, 0.0, 0.0, all));
     critics.push_back(make_grid_critic(GridKind::kGoal, goal, 0.0, 0.0, all));
+    critics.push_back(make_turning_room_critic(kRoomShare * (path + goal) / kTypicalResolution));
     critics.push_back(make_twirling_critic(params_.twirling_scale));
     return critics;
   }

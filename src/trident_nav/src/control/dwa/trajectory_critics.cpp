@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../steering.h"
 #include "trajectory_critic.h"
 
 namespace trident::nav {
@@ -90,6 +91,19 @@ class ObstacleCritic final : public TrajectoryCritic {
 
   Aggregation aggregation_;
   bool has_footprint_;
+};
+
+class TurningRoomCritic final : public TrajectoryCritic {
+ public:
+  using TrajectoryCritic::TrajectoryCritic;
+  double score(const DwaScene& scene, const Candidate& candidate) const override {
+    const Situation& situation = scene.situation;
+    const Footprint& footprint = situation.checker.footprint();
+    const Pose2 end = candidate.pose(situation.state.pose, candidate.last);
+    const double room_m = clearance_m(situation.grid, end, footprint, 1.0);
+    const double wanted_m = footprint.circumscribed_radius - footprint.inscribed_radius;
+    return std::max(wanted_m + scene.resolution - room_m, 0.0);
+  }
 };
 
 class TwirlingTrajectoryCritic final : public TrajectoryCritic {
@@ -263,6 +277,10 @@ std::unique_ptr<TrajectoryCritic> make_obstacle_critic(double scale, Aggregation
 
 std::unique_ptr<TrajectoryCritic> make_footprint_critic(double scale, Aggregation aggregation) {
   return std::make_unique<ObstacleCritic>(scale, aggregation, true);
+}
+
+std::unique_ptr<TrajectoryCritic> make_turning_room_critic(double scale) {
+  return std::make_unique<TurningRoomCritic>(scale);
 }
 
 std::unique_ptr<TrajectoryCritic> make_twirling_critic(double scale) {
