@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
-// What happens on the air: frames begin, disturb each other, end, are received and acknowledged.
+// What happens on the air: frames begin, disturb each other, end and are received.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -21,11 +21,6 @@ constexpr double kPreamble_db = -1.0, kPreambleOverOthers_db = 4.0;
 constexpr std::int64_t kDetection_ns = 4000;
 // A frame's header is about as short as this, for those that only need to know how long it takes.
 constexpr std::size_t kHeaderBytes = 100;
-// More often than a frame is tried its acknowledgement is asked for: who waits for a gap between
-// the frames of a hidden station would else give up, and begin again with a short wait.
-constexpr int kRequestsPerTry = 3;
-// Random numbers of an acknowledgement lie beyond those of the subframes of its frame.
-constexpr std::uint32_t kAckChannel = 1000;
 
 double mw_of_dbm(double dbm) { return std::pow(10.0, 0.1 * dbm); }
 
@@ -35,11 +30,6 @@ bool stands_out(const Reception& reception) {
   static const double others_ratio = mw_of_dbm(kPreambleOverOthers_db);
   return reception.signal_mw > noise_ratio * reception.noise_mw &&
          reception.signal_mw >= others_ratio * reception.interference_mw;
-}
-
-std::int64_t ack_duration_ns(int mcs, std::size_t subframes) {
-  return vht::legacy_duration_ns(vht::control_rate(mcs),
-                                 subframes > 1 ? vht::kBlockAckBytes : vht::kAckBytes);
 }
 
 }  // namespace
@@ -158,14 +148,14 @@ void RadioChannel::overhear(const Transmission& frame, const Reception& receptio
                            frame.destination != reception.station;
   if (!is_read || !is_answered) return;
   const std::int64_t free_ns =
-      now_ns_ + vht::kSifs_ns + ack_duration_ns(frame.mcs, frame.subframes);
+      now_ns_ + vht::kSifs_ns + vht::ack_duration_ns(frame.mcs, frame.subframes);
   station.idle_from_ns = std::max(station.idle_from_ns, free_ns);
 }
 
 void RadioChannel::end_unicast(Transmission& frame) {
   RadioStation& source = at(frame.source);
   if (!source.attempt) return;
-  const std::int64_t ack_ns = ack_duration_ns(frame.mcs, frame.subframes);
+  const std::int64_t ack_ns = vht::ack_duration_ns(frame.mcs, frame.subframes);
   source.awaits = frame.id;
   plan(now_ns_ + vht::kSifs_ns + ack_ns + vht::kSlot_ns, EventKind::kTimeout, frame.source,
        frame.id);
@@ -250,86 +240,6 @@ void RadioChannel::end_broadcast(Transmission& frame) {
   source.queued_bytes[static_cast<std::size_t>(packet.priority)] -= packet.bytes();
   source.attempt.reset();
   source.draw_backoff();
-}
-
-void RadioChannel::send_ack(int number, std::uint64_t frame, LinkLosses& losses) {
-  const auto known = answers_.find(frame);
-  const Answer answer = known->second;
-  answers_.erase(known);
-  if (at(number).is_sending || !at(number).is_present) return;
-  Transmission ack;
-  ack.kind = Transmission::Kind::kAck;
-  ack.source = number;
-  ack.destination = answer.to;
-  ack.mcs = vht::equal_mcs(vht::control_rate(answer.mcs));
-  ack.frame = answer.frame;
-  ack.end_ns = now_ns_ + ack_duration_ns(answer.mcs, answer.subframes);
-  begin(std::move(ack), losses);
-}
-
-void RadioChannel::end_ack(Transmission& frame) {
-  RadioStation& waiting = at(frame.destination);
-  const Reception* reception = frame.reception(frame.destination);
-  if (reception == nullptr || !reception->is_locked || waiting.awaits == 0) return;
-  const double success =
-      reception->success(frame.mcs, vht::kBlockAckBytes, frame.begin_ns, frame.end_ns);
-  RadioFlow& own = flow(frame.destination, frame.source);
-  if (own.random.uniform(frame.frame, kAckChannel) < success) finish(frame.destination, true);
-}
-
-// Whether an A-MPDU has arrived is asked with a short frame, rather than sending it again: where
-// stations do not hear each other, long frames would collide again and again. Who answers no
-// request has gone.
-void RadioChannel::miss_ack(int number) {
-  RadioStation& source = at(number);
-  if (!source.attempt || source.sent.size() < 2) return finish(number, false);
-  if (source.requests >= kRequestsPerTry * source.params.tries) {
-    for (const std::size_t i : source.sent) {
-      source.attempt->subframes[i].tries = source.params.tries;
-    }
-    return finish(number, false);
-  }
-  ++source.requests;
-  source.awaits = 0;
-  source.window = std::min(2 * source.window + 1, vht::kMaxWindow);
-  source.draw_backoff();
-  source.idle_from_ns = std::max(source.idle_from_ns, now_ns_);
-  contend(number);
-}
-
-// What a frame's sender knows now: which subframes to send again, which to give up.
-void RadioChannel::finish(int number, bool is_acknowledged) {
-  RadioStation& source = at(number);
-  source.awaits = 0;
-  source.requests = 0;
-  if (!source.attempt) return;
-  Attempt& attempt = *source.attempt;
-  RadioFlow& own = flow(number, attempt.destination);
-  std::size_t arrived = 0;
-  for (const std::size_t i : source.sent) {
-    Subframe& subframe = attempt.subframes[i];
-    subframe.is_acknowledged = is_acknowledged && subframe.has_arrived;
-    arrived += subframe.is_acknowledged ? 1 : 0;
-    const bool is_given_up = !subframe.has_arrived && subframe.tries >= source.params.tries;
-    if (is_given_up) ++own.counts.lost;
-    subframe.is_settled |= is_given_up;
-  }
-  own.rate.report(source.sent_mcs, source.sent.size(), arrived);
-  settle(number, own.counts.snr_db);
-  auto& subframes = attempt.subframes;
-  const auto is_done = [&](const Subframe& subframe) {
-    if (!subframe.is_done(source.params.tries)) return false;
-    source.queued_bytes[static_cast<std::size_t>(attempt.priority)] -= subframe.packet.bytes();
-    return true;
-  };
-  subframes.erase(std::remove_if(subframes.begin(), subframes.end(), is_done), subframes.end());
-  const bool resets_window = is_acknowledged || subframes.empty();
-  source.window =
-      resets_window ? vht::kMinWindow : std::min(2 * source.window + 1, vht::kMaxWindow);
-  if (subframes.empty()) source.attempt.reset();
-  source.draw_backoff();
-  if (!is_acknowledged) source.idle_from_ns = std::max(source.idle_from_ns, now_ns_);
-  contend(number);
 }
 
 }  // namespace trident::sim

@@ -74,6 +74,10 @@ int control_rate(int mcs) {
   return mcs >= 1 ? 12 : 6;
 }
 
+std::int64_t ack_duration_ns(int mcs, std::size_t subframes) {
+  return legacy_duration_ns(control_rate(mcs), subframes > 1 ? kBlockAckBytes : kAckBytes);
+}
+
 int equal_mcs(int legacy_mbit_s) {
   if (legacy_mbit_s >= 24) return 3;
   return legacy_mbit_s >= 12 ? 1 : 0;

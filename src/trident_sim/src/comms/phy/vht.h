@@ -53,6 +53,9 @@ std::int64_t legacy_duration_ns(int mbit_s, std::size_t bytes);
 /// and code are no weaker than those of the data [Mbit/s].
 int control_rate(int mcs);
 
+/// Of the frame that acknowledges a number of subframes, a block acknowledgement from two on [ns].
+std::int64_t ack_duration_ns(int mcs, std::size_t subframes);
+
 /// The MCS whose modulation and code a frame at 6, 12 or 24 Mbit/s has.
 int equal_mcs(int legacy_mbit_s);
 
