@@ -25,6 +25,7 @@ from trident_fleet.core.station.visits import Heard, Place, Visit, Visits
 
 _TRAIL_M, _LOOP_M = 2.0, 4.0
 _TOPS, _TOPS_APART_M = 4, 4.0
+_ROUNDS = 2  # of a refinement, which share its time: the second is about the best after the first
 _FOLLOW_PLACES, _FOLLOW_REMEMBERED, _FOLLOW_EVERY_S = 600, 80, 1.0
 _FOLLOW_LOSS_DB_M = 0.03  # A place that is not better by that for each meter is not flown to.
 _CHECKED_S = 5.0
@@ -83,6 +84,7 @@ class BaseStation:
         self.found_db: float | None = None
         self._search: Search | None = None
         self._stage_s = 0.0  # when the phase began
+        self._round = 0  # of a refinement
         self._trail: list[Array] = [self._flyer.entry]
         self._others: list[Other] = []
         self._random = np.random.default_rng(0xBA5E)
@@ -221,7 +223,8 @@ class BaseStation:
         self._search = Search(places, known, self.visits, self._config)
         self._next_place(heard, known)
 
-    def _refine(self, heard: Heard, known: dict[str, Place]) -> None:
+    def _refine(self, heard: Heard, known: dict[str, Place], number: int) -> None:
+        self._round = number
         centers = [self._legal(visit) for visit in self._best(known, _TOPS)]
         self._begin(Phase.REFINE, f"about {len(centers)} places", heard.time_s)
         if not centers:
@@ -237,13 +240,15 @@ class BaseStation:
         assert self._search is not None
         self._search.add(self.visits)
         search, is_survey = self._config.search, self.phase is Phase.SURVEY
-        limit_s = search.survey_s if is_survey else search.refine_s
+        limit_s = search.survey_s if is_survey else search.refine_s / _ROUNDS
         is_over = heard.time_s - self._stage_s >= limit_s
         is_there = self._flyer.away_m(self.goal) < _REACHED_M[self.phase]
         if not is_over and (is_there or self._search.has_gone_wrong):
             is_over = self._next_place(heard, known) < search.gain_db
         if is_over and is_survey:
-            self._refine(heard, known)
+            self._refine(heard, known, 1)
+        elif is_over and self._round < _ROUNDS:
+            self._refine(heard, known, self._round + 1)
         elif is_over:
             self._hold(heard, known)
 
