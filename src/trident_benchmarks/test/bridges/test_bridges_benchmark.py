@@ -15,7 +15,7 @@ from trident_benchmarks.bridges.measure import chosen_rows, line, measure_row
 from trident_benchmarks.bridges.rows import ECHO, Bench, BridgeRow, MissingDataError, Node
 from trident_benchmarks.bridges.rows_fleet import measure_fleet
 from trident_benchmarks.bridges.sockets import drops_of
-from trident_benchmarks.bridges.telemetry_listener import attitude_time_s
+from trident_benchmarks.bridges.telemetry_listener import attitude_time_s, packets_of
 from trident_benchmarks.processes import Processes
 from trident_benchmarks.results import UNUSABLE
 from trident_eval.core.errors import EvalError
@@ -127,8 +127,10 @@ def test_drops_are_those_of_the_port() -> None:
     assert drops_of(text, 0x1F92) == 0
 
 
-def test_an_attitude_has_the_time() -> None:
+def test_packets_of_a_datagram_and_the_time_of_an_attitude() -> None:
     packet = bytes([0xFD, 2, 0, 0, 9, 1, 1, 30, 0, 0, 0xE8, 0x03, 0, 0])
+    signed = bytes([0xFD, 1, 1, 0, 9, 2, 1, 0, 0, 0]) + bytes(1 + 2 + 13)
+    assert list(packets_of(signed + packet + b"no packet")) == [signed, packet]
     assert attitude_time_s(packet) == pytest.approx(1.0)
     assert attitude_time_s(packet[:7] + bytes([31]) + packet[8:]) is None
 

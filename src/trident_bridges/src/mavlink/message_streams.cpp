@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -103,18 +104,25 @@ double MessageStreams::rate_hz(std::uint32_t id) const {
 void MessageStreams::set_rate(Stream& stream, double rate_hz, SimTime now) {
   stream.period_ns = rate_hz > 0.0 ? std::llround(1e9 / std::min(rate_hz, kMaxRate_hz)) : 0;
   stream.due = now;
+  is_changed_ = true;
 }
 
 void MessageStreams::update(SimTime now) {
+  if (!is_changed_ && now >= updated_ && now < next_due_) return;
+  is_changed_ = false;
+  updated_ = now;
+  next_due_ = SimTime{std::numeric_limits<std::int64_t>::max()};
   for (auto& [id, stream] : streams_) {
     if (stream.period_ns == 0) continue;
     const bool is_set_back = (stream.due - now).ns > stream.period_ns;
-    if (now < stream.due && !is_set_back) continue;
     if (is_set_back) stream.due = now;
-    emit_(id);
-    stream.due = stream.due + SimTime{stream.period_ns};
-    // After a pause nothing is made up for.
-    if (stream.due <= now) stream.due = now + SimTime{stream.period_ns};
+    if (now >= stream.due) {
+      emit_(id);
+      stream.due = stream.due + SimTime{stream.period_ns};
+      // After a pause nothing is made up for.
+      if (stream.due <= now) stream.due = now + SimTime{stream.period_ns};
+    }
+    next_due_ = std::min(next_due_, stream.due);
   }
 }
 

@@ -8,6 +8,7 @@ import selectors
 import socket
 import struct
 import threading
+from collections.abc import Iterator
 from types import TracebackType
 from typing import NamedTuple
 
@@ -17,6 +18,7 @@ _LONGEST = 2048
 _START2 = 0xFD  # of a packet of MAVLink 2
 _HEADER = 10  # bytes of it
 _SYSTEM_AT, _ID_AT = 5, 7
+_CHECKSUM, _SIGNATURE = 2, 13  # bytes behind its payload
 _ATTITUDE = 30  # its payload begins with time_boot_ms
 
 
@@ -34,14 +36,21 @@ class Heard(NamedTuple):
     sim_s: float
 
 
+def packets_of(datagram: bytes) -> Iterator[bytes]:
+    """Packets of MAVLink 2, up to what is none."""
+    at = 0
+    while len(datagram) - at > _HEADER and datagram[at] == _START2:
+        size = _HEADER + datagram[at + 1] + _CHECKSUM + _SIGNATURE * (datagram[at + 2] & 1)
+        yield datagram[at : at + size]
+        at += size
+
+
 def attitude_time_s(packet: bytes) -> float | None:
     """Time since boot of an ATTITUDE; None: it is another message.
 
     Args:
-        packet: of MAVLink 2, one to a datagram. Zeros at the end of its payload may be left out.
+        packet: of MAVLink 2. Zeros at the end of its payload may be left out.
     """
-    if len(packet) < _HEADER or packet[0] != _START2:
-        return None
     if int.from_bytes(packet[_ID_AT:_HEADER], "little") != _ATTITUDE:
         return None
     payload = packet[_HEADER : _HEADER + packet[1]].ljust(4, b"\0")
@@ -104,12 +113,16 @@ class TelemetryListener:
         assert isinstance(one, socket.socket)
         while True:
             try:
-                packet = one.recv(_LONGEST)
+                datagram = one.recv(_LONGEST)
             except BlockingIOError:
                 return
-            self._packets += 1
-            self._bytes += len(packet)
-            time_s = attitude_time_s(packet)
-            if time_s is not None:
-                self._systems.add(packet[_SYSTEM_AT])
-                self._sim_s = max(self._sim_s, time_s)
+            self._bytes += len(datagram)
+            for packet in packets_of(datagram):
+                self._note(packet)
+
+    def _note(self, packet: bytes) -> None:
+        self._packets += 1
+        time_s = attitude_time_s(packet)
+        if time_s is not None:
+            self._systems.add(packet[_SYSTEM_AT])
+            self._sim_s = max(self._sim_s, time_s)

@@ -59,6 +59,8 @@ class MessageStreams {
   Address self_;
   MessageSink send_;
   std::map<std::uint32_t, Stream> streams_;
+  SimTime updated_, next_due_;  // of the last look at all streams
+  bool is_changed_ = true;      // since then
   std::function<bool(std::uint32_t)> emit_;
 };
 

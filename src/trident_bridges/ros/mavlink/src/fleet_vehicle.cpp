@@ -63,7 +63,9 @@ void FleetVehicle::send(const mavlink::Message& message) {
 }
 
 void FleetVehicle::receive(const mavlink::Message& message, const std::string& from) {
-  if (!vehicle_.handle(message, both(now_))) return;
+  const bool is_taken = vehicle_.handle(message, both(now_));
+  ports_->flush();
+  if (!is_taken) return;
   if (was_commanded_ || !mavlink::changes_behavior(message)) return;
   was_commanded_ = true;
   parts_.commanded("MAVLink system " + std::to_string(message.source.system) + " at " + from +
@@ -73,6 +75,7 @@ void FleetVehicle::receive(const mavlink::Message& message, const std::string& f
 void FleetVehicle::update(SimTime now) {
   now_ = std::max(now_, now);
   vehicle_.update(both(now_));
+  ports_->flush();
 }
 
 /// A vehicle whose set-points have stamps gets one for the next multiple of the period as soon as
@@ -88,6 +91,7 @@ void FleetVehicle::on_moved(SimTime stamp) {
   vehicle_.set_readings(sensors_->readings());
   setpoint_ = vehicle_.step(stamp, sensors_->state());
   publish(next);
+  ports_->flush();
 }
 
 void FleetVehicle::publish(SimTime stamp) {

@@ -12,6 +12,9 @@
 namespace trident::bridges {
 namespace {
 
+/// [bytes] of a datagram: as much as a frame of Ethernet takes.
+constexpr std::size_t kFullDatagram = 1400;
+
 mavlink::SigningTime signing_now() {
   return mavlink::signing_time(static_cast<std::int64_t>(ros::WallTime::now().toNSec()));
 }
@@ -48,6 +51,7 @@ struct VehiclePorts::Port {
   };
   std::map<PeerId, Peer> peers;
   bool has_datagrams = false;
+  std::vector<std::uint8_t> waiting;  // whole packets
 };
 
 VehiclePorts::VehiclePorts(const mavlink::VehicleLinks& links, Setup setup, VehicleKey& key,
@@ -73,6 +77,7 @@ void VehiclePorts::open(const std::string& url, bool has_datagrams, PollLoop& lo
   ports_.push_back(std::make_unique<Port>(key_.signer(link)));
   Port& port = *ports_.back();
   port.has_datagrams = has_datagrams;
+  port.waiting.reserve(kFullDatagram);
   EndpointEvents events;
   events.joined = [this, &port](PeerId peer, const std::string& address) {
     port.peers.emplace(peer, Port::Peer{address, mavlink::PacketParser(accept_mavlink1_)});
@@ -97,8 +102,21 @@ void VehiclePorts::open(const std::string& url, bool has_datagrams, PollLoop& lo
 
 void VehiclePorts::send(const mavlink::Message& message) {
   for (const auto& port : ports_) {
-    if (!port->peers.empty()) port->endpoint->send_to_all(port->writer.write(message));
+    if (port->peers.empty()) continue;
+    const Bytes packet = port->writer.write(message);
+    if (port->waiting.size() + packet.size() > kFullDatagram) flush(*port);
+    port->waiting.insert(port->waiting.end(), packet.begin(), packet.end());
   }
+}
+
+void VehiclePorts::flush() {
+  for (const auto& port : ports_) flush(*port);
+}
+
+void VehiclePorts::flush(Port& port) {
+  if (port.waiting.empty()) return;
+  port.endpoint->send_to_all(Bytes(port.waiting));
+  port.waiting.clear();
 }
 
 void VehiclePorts::receive(Port& port, PeerId id, Bytes bytes) {

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import rospy
-from fleet import start_fleet
+from fleet import standing_still, start_fleet
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from pymavlink import mavutil
@@ -80,6 +80,22 @@ def send_until_heard(topic: str, link: Any) -> None:
             message.header.stamp.secs = 2 * second
             publisher.publish(message)
             assert link.recv_match(type="HEARTBEAT", blocking=True, timeout=10.0) is not None
+
+
+def test_packets_that_leave_together_are_one_datagram(ros: Ros, tmp_path: Path) -> None:
+    process, fleet = start_fleet(ros, tmp_path, entry("uav1", "quadrotor"))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as station:
+        station.bind(("127.0.0.1", fleet.ground_station))
+        station.settimeout(20.0)
+        await_node(process)
+        with standing_still("/uav1/odometry_sensor1/odometry"):
+            datagrams = [station.recv(65536) for _ in range(20)]
+    reader = mavlink.MAVLink(None)
+    counts = [len(reader.parse_buffer(datagram) or []) for datagram in datagrams]
+    assert min(counts) >= 1  # each is whole
+    assert max(counts) > 3
+    assert max(map(len, datagrams)) <= 1400
+    assert reader.total_receive_errors == 0
 
 
 def test_a_rover_answers_each_odometry_once(ros: Ros, tmp_path: Path) -> None:

@@ -52,11 +52,14 @@ class VehiclePorts {
   /// what is wrong with it.
   VehiclePorts(const mavlink::VehicleLinks& links, Setup setup, VehicleKey& key, PollLoop& loop);
   ~VehiclePorts();
-  /// Sends to all who are there.
+  /// For all who are there; leaves with flush(), or when a datagram is full.
   void send(const mavlink::Message& message);
+  /// Sends what waits: several packets are one datagram, which costs less than several.
+  void flush();
 
  private:
   struct Port;
+  static void flush(Port& port);
   void open(const std::string& url, bool has_datagrams, PollLoop& loop);
   void receive(Port& port, PeerId peer, Bytes bytes);
 
