@@ -106,10 +106,13 @@ void VehiclePorts::send(const mavlink::Message& message) {
     const Bytes packet = port->writer.write(message);
     if (port->waiting.size() + packet.size() > kFullDatagram) flush(*port);
     port->waiting.insert(port->waiting.end(), packet.begin(), packet.end());
+    has_waiting_ = true;
   }
 }
 
 void VehiclePorts::flush() {
+  if (!has_waiting_) return;
+  has_waiting_ = false;
   for (const auto& port : ports_) flush(*port);
 }
 

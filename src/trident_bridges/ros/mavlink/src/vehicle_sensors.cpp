@@ -51,9 +51,11 @@ void VehicleSensors::listen(ros::NodeHandle& node, NodePollLoop& loop, const std
       node, topic, kQueueSize, [this, handler](const Message& m) { (this->*handler)(m); }));
 }
 
-/// Counts what is wrong.
-bool VehicleSensors::accept(const std::string& topic, const std::string& problem) {
+/// Counts what is wrong. `what`: stands before the odometry's topic; a good message takes no
+/// memory.
+bool VehicleSensors::accept(const char* what, const std::string& problem) {
   if (problem.empty()) return true;
+  const std::string topic = what + topic_;
   setup_.refusals.note(topic + " refused", topic + " refused: " + problem);
   return false;
 }
@@ -75,7 +77,7 @@ bool VehicleSensors::find_frame(const std::string& frame) {
 }
 
 void VehicleSensors::on_odometry(const nav_msgs::Odometry& message) {
-  if (!accept(topic_, odometry_problem(message))) return;
+  if (!accept("", odometry_problem(message))) return;
   const SimTime stamp = to_sim(message.header.stamp);
   if (!find_frame(message.header.frame_id)) {
     setup_.moved(stamp);
@@ -103,8 +105,7 @@ void VehicleSensors::on_odometry(const nav_msgs::Odometry& message) {
 void VehicleSensors::on_battery(const sensor_msgs::BatteryState& message) {
   const double charge = message.percentage;
   if (!std::isnan(charge) && !(charge >= 0.0 && charge <= 1.0)) {
-    accept("battery of " + topic_,
-           "percentage " + std::to_string(charge) + ", legal: [0, 1] or NaN");
+    accept("battery of ", "percentage " + std::to_string(charge) + ", legal: [0, 1] or NaN");
     return;
   }
   if (batteries_.size() >= kMaxWaiting) batteries_.erase(batteries_.begin());
@@ -126,7 +127,7 @@ void VehicleSensors::on_imu(const sensor_msgs::Imu& message) {
   const auto& w = message.angular_velocity;
   std::string problem = ros_utils::point_problem(f.x, f.y, f.z, "linear_acceleration");
   if (problem.empty()) problem = ros_utils::point_problem(w.x, w.y, w.z, "angular_velocity");
-  if (!accept("IMU of " + topic_, problem)) return;
+  if (!accept("IMU of ", problem)) return;
   readings_.imu =
       mavlink::ImuReading{to_sim(message.header.stamp), {f.x, f.y, f.z}, {w.x, w.y, w.z}};
   vibration_.add(*readings_.imu);
@@ -141,7 +142,7 @@ void VehicleSensors::on_fix(const sensor_msgs::NavSatFix& message) {
     std::string problem = ros_utils::number_problem(message.latitude, 90.0, "latitude");
     if (problem.empty()) problem = ros_utils::number_problem(message.longitude, 180.0, "longitude");
     if (problem.empty()) problem = ros_utils::number_problem(message.altitude, 1e7, "altitude");
-    if (!accept("fix of " + topic_, problem)) return;
+    if (!accept("fix of ", problem)) return;
     reading.place = {message.latitude, message.longitude, message.altitude};
     reading.horizontal_stddev_m = std::sqrt(std::max(message.position_covariance[0], 0.0));
     reading.vertical_stddev_m = std::sqrt(std::max(message.position_covariance[8], 0.0));
@@ -161,7 +162,7 @@ void VehicleSensors::on_gnss_status(const trident_msgs::GnssStatus& message) {
 void VehicleSensors::on_wind(const trident_msgs::WindReading& message) {
   std::string problem = ros_utils::number_problem(message.speed, 500.0, "speed");
   if (problem.empty()) problem = ros_utils::number_problem(message.angle, 7.0, "angle");
-  if (!accept("wind_reading of " + topic_, problem)) return;
+  if (!accept("wind_reading of ", problem)) return;
   const double towards = state_.yaw() - message.angle + kPi;
   Eigen::Vector3d wind(message.speed * std::cos(towards), message.speed * std::sin(towards), 0.0);
   if (message.reference == trident_msgs::WindReading::RELATIVE) {

@@ -68,6 +68,7 @@ class VehiclePorts {
   Setup setup_;
   VehicleKey& key_;
   std::vector<std::unique_ptr<Port>> ports_;
+  bool has_waiting_ = false;
 };
 
 }  // namespace trident::bridges

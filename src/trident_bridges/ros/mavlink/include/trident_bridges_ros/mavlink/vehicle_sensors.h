@@ -56,7 +56,7 @@ class VehicleSensors {
   template <class Message>
   void listen(ros::NodeHandle& node, NodePollLoop& loop, const std::string& topic,
               void (VehicleSensors::*handler)(const Message&));
-  bool accept(const std::string& topic, const std::string& problem);
+  bool accept(const char* what, const std::string& problem);
   bool find_frame(const std::string& frame);
 
   Setup setup_;
