@@ -16,7 +16,7 @@ struct ProbeOptions {
   std::string in, out;            ///< relay, bridge: topics
   std::string url;                ///< bridge: of its endpoint
   std::string tlog;               ///< file of the message "tlog"
-  double rate = 500.0;            ///< source: [1/s]; 0: as fast as `window` lets
+  double rate = 500.0;            ///< source: [1/s], at whole ms; 0: as fast as `window` lets
   std::uint64_t count = 1000;     ///< source, listener: messages
   std::uint64_t window = 64;      ///< source, at rate 0: messages on their path at once
   std::uint64_t size = 64;        ///< source: bytes of a message that has no size of its own

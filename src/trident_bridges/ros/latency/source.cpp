@@ -16,9 +16,12 @@ namespace {
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kFirstPeriod_ns = 50'000'000;
 constexpr std::int64_t kShortWait_ns = 20'000;
+constexpr std::int64_t kBeat_ns = 1'000'000;    // what is due within it is sent together
 constexpr std::int64_t kLoss_ns = 200'000'000;  // nothing came for so long: the rest is lost
 
+// A sleep until a time that is past still sets a timer, which takes tens of microseconds.
 void sleep_until(std::int64_t time_ns) {
+  if (monotonic_ns() >= time_ns) return;
   const timespec when{time_ns / kSecond_ns, time_ns % kSecond_ns};
   clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &when, nullptr);
 }
@@ -43,7 +46,8 @@ class Source {
     const std::int64_t begin_ns = monotonic_ns();
     for (std::uint64_t number = 1; number <= count_ && ros::ok(); ++number) {
       if (options_.rate > 0.0) {
-        sleep_until(begin_ns + static_cast<std::int64_t>(1e9 * number / options_.rate));
+        const auto due_ns = static_cast<std::int64_t>(1e9 * number / options_.rate);
+        sleep_until(begin_ns + (due_ns + kBeat_ns - 1) / kBeat_ns * kBeat_ns);
       } else {
         wait_for_room(options_.window);
       }
