@@ -23,7 +23,7 @@ from trident_eval.core.errors import EvalError
 _SHARE = 0.005
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def bench() -> Iterator[Bench]:
     with Processes() as processes:
         _, master = processes.start_master()
@@ -103,10 +103,15 @@ def test_a_fleet_is_measured_by_its_own_clock(bench: Bench) -> None:
     assert result["messages_s"] > 3 * 2 * 25  # ATTITUDE alone, to two ports of each
 
 
-def test_a_bridge_that_passes_nothing_on_is_an_error(bench: Bench) -> None:
-    row = BridgeRow("deaf", "udp", "bytes", 8, lambda: [Node("deaf", ["sleep", "60"])])
-    with pytest.raises(EvalError, match="source has ended with exit code 1"):
-        measure_row(row, bench, share=0.001)
+def test_a_bridge_that_passes_nothing_on_is_an_error() -> None:
+    def nodes() -> list[Node]:
+        return [Node("deaf", ["sleep", "60"])]
+
+    row = BridgeRow("deaf", "udp", "bytes", 8, nodes, words=lambda: ["--limit_s", "1"])
+    with Processes() as processes:  # its own: a process that failed fails all that follow
+        _, master = processes.start_master()
+        with pytest.raises(EvalError, match="source has ended with exit code 1"):
+            measure_row(row, Bench(processes, master), share=0.001)
 
 
 def test_a_figure_that_is_missing_keeps_no_limit() -> None:

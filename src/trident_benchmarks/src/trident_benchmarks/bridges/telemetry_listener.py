@@ -37,7 +37,7 @@ class Heard(NamedTuple):
 
 
 def packets_of(datagram: bytes) -> Iterator[bytes]:
-    """Packets of MAVLink 2, up to what is none."""
+    """Packets of MAVLink 2, up to the first bytes that begin no other one."""
     at = 0
     while len(datagram) - at > _HEADER and datagram[at] == _START2:
         size = _HEADER + datagram[at + 1] + _CHECKSUM + _SIGNATURE * (datagram[at + 2] & 1)
