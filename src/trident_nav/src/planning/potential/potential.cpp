@@ -194,8 +194,8 @@ bool Potential::advance(Around& at, int direction, std::uint64_t limit) {
   }
   node->value = v;
   node->parent = static_cast<std::uint8_t>(opposite(direction));
+  cells_.fill_around(x_of(p), y_of(p), *source_);
   at = {node, x_of(p), y_of(p), &cells_.offsets(x_of(p), y_of(p))};
-  cells_.fill_around(at.x, at.y, *source_);
   return true;
 }
 

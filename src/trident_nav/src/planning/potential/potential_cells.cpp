@@ -81,32 +81,27 @@ void PotentialCells::reset(const GridGeometry& geometry) {
     costs_ = make_array<std::uint8_t>(needed + 2 * kMargin);
     allocated_ = needed;
   }
-  is_filled_.assign(columns_ * rows_, 0);
-  for (std::size_t i = 0; i < offsets_.size(); ++i) offsets_[i] = offsets_at(i % 3, i / 3);
-}
-
-PotentialCells::Offsets PotentialCells::offsets_at(std::size_t column_side,
-                                                   std::size_t row_side) const {
-  constexpr std::ptrdiff_t kAcross = static_cast<std::ptrdiff_t>(kNodes) - (kSide - 1);
-  const std::ptrdiff_t up =
-      static_cast<std::ptrdiff_t>(columns_ * kNodes) - std::ptrdiff_t{kSide} * (kSide - 1);
-  const std::ptrdiff_t east = column_side == 2 ? kAcross : 1;
-  const std::ptrdiff_t west = column_side == 0 ? -kAcross : -1;
-  const std::ptrdiff_t north = row_side == 2 ? up : kSide;
-  const std::ptrdiff_t south = row_side == 0 ? -up : -kSide;
-  return {east, north, west, south, north + east, north + west, south + west, south + east};
+  slots_.assign(columns_ * rows_, kNoSlot);
+  borders_.clear();
+  borders_.reserve(columns_ * rows_);  // so that none moves
 }
 
 void PotentialCells::fill_neighbors(int x, int y, const CostGrid& grid) {
-  for (int dy = -1; dy <= 1; ++dy) {
-    for (int dx = -1; dx <= 1; ++dx) fill(x + dx, y + dy, grid);
+  Border& border = borders_[slots_[square(x, y)]];
+  const std::size_t side = side_of(x, y);
+  const auto own = static_cast<std::ptrdiff_t>(index(x, y));
+  for (std::size_t d = 0; d < 8; ++d) {
+    fill(x + kDx[d], y + kDy[d], grid);
+    border.offsets[side][d] = static_cast<std::ptrdiff_t>(index(x + kDx[d], y + kDy[d])) - own;
   }
+  border.ready |= 1U << side;
 }
 
 void PotentialCells::fill(int x, int y, const CostGrid& grid) {
-  const std::size_t number = square(x, y);
-  if (is_filled_[number] != 0) return;
-  is_filled_[number] = 1;
+  if (is_filled(x, y)) return;
+  const std::size_t number = borders_.size();
+  slots_[square(x, y)] = static_cast<std::uint32_t>(number);
+  borders_.emplace_back();
   std::uint8_t* costs = &costs_[kMargin + number * kNodes];
   std::memset(costs, kLethalCost, kNodes);
   const int x0 = x / kSide * kSide, y0 = y / kSide * kSide;

@@ -16,8 +16,9 @@
 namespace trident::nav {
 
 /// What a potential knows of the cells of a grid, with a rim of blocked ones around it: x and y
-/// count from the rim. Cells lie in squares of 64 x 64, so that neighbors are near in memory, and a
-/// square is filled with the grid's costs when a search comes to it.
+/// count from the rim. Cells lie in squares of 64 x 64, so that neighbors are near in memory. A
+/// square is filled with the grid's costs when a search comes to it, and lies behind that which was
+/// filled before: memory that is touched for the first time is dear.
 class PotentialCells {
  public:
   static constexpr int kSide = 64;
@@ -39,21 +40,27 @@ class PotentialCells {
   /// Forgets all cells, and takes another shape.
   void reset(const GridGeometry& geometry);
 
+  /// Of a cell in a square that has been filled.
   std::size_t index(int x, int y) const {
     const auto column = static_cast<unsigned>(x);
     const auto row = static_cast<unsigned>(y);
-    return square(x, y) * kNodes + row % kSide * kSide + column % kSide;
+    return slots_[square(x, y)] * kNodes + row % kSide * kSide + column % kSide;
   }
   Node& operator[](std::size_t index) { return nodes_[index]; }
   const Node& operator[](std::size_t index) const { return nodes_[index]; }
   /// Whether the square of a cell has been filled.
-  bool is_filled(int x, int y) const { return is_filled_[square(x, y)] != 0; }
-  /// By direction, what the index of a neighbor differs by from that of a cell within the rim.
+  bool is_filled(int x, int y) const { return slots_[square(x, y)] != kNoSlot; }
+  /// By direction, what the index of a neighbor differs by from that of a cell within the rim;
+  /// after `fill_around` for that cell.
   using Offsets = std::array<std::ptrdiff_t, 8>;
-  const Offsets& offsets(int x, int y) const { return offsets_[3 * side_of(y) + side_of(x)]; }
-  /// Fills the squares of a cell and of its neighbors.
+  const Offsets& offsets(int x, int y) const {
+    if (is_inner(x) && is_inner(y)) return inner_;
+    return borders_[slots_[square(x, y)]].offsets[side_of(x, y)];
+  }
+  /// Fills the squares of a cell, whose own is filled, and of its neighbors.
   void fill_around(int x, int y, const CostGrid& grid) {
     if (is_inner(x) && is_inner(y)) return;
+    if ((borders_[slots_[square(x, y)]].ready >> side_of(x, y) & 1U) != 0) return;
     fill_neighbors(x, y, grid);
   }
   /// Fills the square of a cell.
@@ -74,6 +81,7 @@ class PotentialCells {
  private:
   static constexpr std::size_t kNodes = std::size_t{kSide} * kSide;
   static constexpr std::size_t kMargin = 64;  ///< Bytes before and behind the costs.
+  static constexpr std::uint32_t kNoSlot = std::numeric_limits<std::uint32_t>::max();
   struct Free {
     void operator()(void* memory) const;
   };
@@ -86,12 +94,17 @@ class PotentialCells {
     const unsigned within = static_cast<unsigned>(coordinate) % kSide;
     return within != 0 && within != kSide - 1;
   }
+  /// What the neighbors of a square's outer cells are off by, by the sides that a cell is at.
+  struct Border {
+    std::array<Offsets, 9> offsets{};
+    unsigned ready = 0;  ///< A bit for each of them.
+  };
   /// 0: at the lower side of its square, 2: at the upper one, 1: between them.
   static std::size_t side_of(int coordinate) {
     const unsigned within = static_cast<unsigned>(coordinate) % kSide;
     return (within != 0 ? 1U : 0U) + (within == kSide - 1 ? 1U : 0U);
   }
-  Offsets offsets_at(std::size_t column_side, std::size_t row_side) const;
+  static std::size_t side_of(int x, int y) { return 3 * side_of(y) + side_of(x); }
   std::size_t square(int x, int y) const {
     return static_cast<std::size_t>(y) / kSide * columns_ + static_cast<std::size_t>(x) / kSide;
   }
@@ -107,11 +120,14 @@ class PotentialCells {
   bool outline_;
   GridGeometry geometry_;
   std::size_t columns_ = 0, rows_ = 0;  ///< Of squares.
-  std::array<Offsets, 9> offsets_{};    ///< By the sides of its square that a cell is at.
   std::size_t allocated_ = 0;           ///< Nodes.
   Array<Node> nodes_;
-  Array<std::uint8_t> costs_;  ///< Those of the nodes once more, after kMargin bytes.
-  std::vector<std::uint8_t> is_filled_;
+  Array<std::uint8_t> costs_;         ///< Those of the nodes once more, after kMargin bytes.
+  std::vector<std::uint32_t> slots_;  ///< By square: its place among the nodes, or kNoSlot.
+  std::vector<Border> borders_;       ///< By slot; there is room for all.
+  /// Of cells that are not at a side of their square.
+  static constexpr Offsets inner_{1,         kSide,     -1,         -kSide,
+                                  kSide + 1, kSide - 1, -kSide - 1, 1 - kSide};
 };
 
 template <class Visit>
@@ -119,6 +135,7 @@ void PotentialCells::compare(int column, int row, const CostGrid& grid, std::uin
                              Visit&& visit) const {
   const int x0 = column * kSide, y0 = row * kSide;
   if (!is_filled(x0, y0)) return;
+  constexpr int kAhead = 8;  // rows; those of the grid lie far apart
   const int from = std::max(x0, first());
   const int to = std::min(x0 + kSide, end(geometry_.width));
   if (from >= to) return;
@@ -127,6 +144,8 @@ void PotentialCells::compare(int column, int row, const CostGrid& grid, std::uin
     if (grid.row_revisions != nullptr && grid.row_revisions[y - 1] <= revision) continue;
     const std::uint8_t* kept = &costs_[kMargin + index(from, y)];
     const std::uint8_t* now = grid.cost + geometry_.index({from - 1, y - 1});
+    __builtin_prefetch(grid.cost + geometry_.index({from - 1, std::min(y + kAhead, last - 1) - 1}));
+    __builtin_prefetch(grid.cost + geometry_.index({to - 2, std::min(y + kAhead, last - 1) - 1}));
     if (std::equal(kept, kept + (to - from), now)) continue;
     for (int x = from; x < to; ++x) {
       if (kept[x - from] != now[x - from]) visit(x, y);
