@@ -59,5 +59,6 @@ BENCHMARKS = (
     Benchmark("links", "links.benchmark", "compare radios with ns-3, and measure what they cost"),
     Benchmark("bridges", "bridges.benchmark", "measure bridges between ROS and other protocols"),
     Benchmark("sitl", "sitl.benchmark", "fly with stand-ins for PX4 and ArduPilot in lockstep"),
+    Benchmark("sweeps", "sweeps.benchmark", "measure what a sweep costs around its runs"),
     Benchmark("table", "sim.saved_table", "the Markdown table of a saved benchmark"),
 )
