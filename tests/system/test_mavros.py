@@ -294,5 +294,5 @@ def test_two_mavros_and_a_station_lead_a_fleet(fleet: tuple[Launch, Station]) ->
         boat_obeys(usv)
         moves_east(uav, run)
         missions_come_back(uav, station)
-        assert uav.newest("state").mode == "AUTO.LOITER"
+        eventually(lambda: uav.newest("state").mode == "AUTO.LOITER", "the mode that was set")
         assert usv.newest("state").mode == "GUIDED"
