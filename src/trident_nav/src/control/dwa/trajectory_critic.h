@@ -74,7 +74,8 @@ std::unique_ptr<TrajectoryCritic> make_obstacle_critic(double scale, Aggregation
 /// The same for the greatest cost under the footprint.
 std::unique_ptr<TrajectoryCritic> make_footprint_critic(double scale, Aggregation aggregation);
 /// The turn rate.
-/// By how much the trajectory's end is closer to obstacles than the robot can turn [m].
+/// By how much the trajectory's end is closer to obstacles than the robot can turn [m], squared and
+/// divided by the most that it may be.
 std::unique_ptr<TrajectoryCritic> make_turning_room_critic(double scale);
 std::unique_ptr<TrajectoryCritic> make_twirling_critic(double scale);
 /// Driving backwards, sideways or nearly on the spot.

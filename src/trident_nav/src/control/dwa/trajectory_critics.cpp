@@ -102,7 +102,8 @@ class TurningRoomCritic final : public TrajectoryCritic {
     const Pose2 end = candidate.pose(situation.state.pose, candidate.last);
     const double room_m = clearance_m(situation.grid, end, footprint, 1.0);
     const double wanted_m = footprint.circumscribed_radius - footprint.inscribed_radius;
-    return std::max(wanted_m + scene.resolution - room_m, 0.0);
+    const double short_m = std::max(wanted_m + scene.resolution - room_m, 0.0);
+    return short_m * short_m / (wanted_m + scene.resolution);
   }
 };
 
