@@ -307,7 +307,10 @@ MissionVerdict MavlinkVehicle::check_mission(MissionType type, const Mission& li
   std::vector<Fence::Region> regions;
   MissionVerdict verdict = read_fence(list, places(), regions);
   if (!verdict.is_accepted()) return verdict;
-  return to_verdict(autopilot_.load_fence(std::move(regions)));
+  verdict = to_verdict(autopilot_.load_fence(std::move(regions)));
+  const std::string notice = notice_of_fence(list);
+  if (verdict.is_accepted() && !notice.empty()) say(Severity::kNotice, notice);
+  return verdict;
 }
 
 /// Items without effect are named once, with the upload.

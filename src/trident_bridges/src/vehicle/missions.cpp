@@ -65,6 +65,11 @@ bool is_circle(std::uint16_t command) {
          command == MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION;
 }
 
+/// How clients that must send a circle, as MAVSDK's old ones, say that they have none.
+bool is_no_circle(const MissionItem& item) {
+  return is_circle(item.command) && item.params[0] == 0.0F;
+}
+
 Eigen::Vector2d flat_place(const MissionItem& item, const PlaceContext& context) {
   const auto place = place_in_world(item.frame, numbers_of(item), context);
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -130,6 +135,9 @@ MissionVerdict read_fence(const Mission& list, const PlaceContext& context,
       MissionVerdict verdict = read_polygon(list, i, context, region);
       if (!verdict.is_accepted()) return verdict;
       i += region.corners_m.size();
+    } else if (is_no_circle(list[i])) {
+      ++i;
+      continue;
     } else if (is_circle(list[i].command)) {
       region.is_inclusion = list[i].command == MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION;
       region.center_m = flat_place(list[i], context);
@@ -145,6 +153,14 @@ MissionVerdict read_fence(const Mission& list, const PlaceContext& context,
     regions.push_back(std::move(region));
   }
   return {};
+}
+
+std::string notice_of_fence(const Mission& list) {
+  const auto count = std::count_if(list.begin(), list.end(), is_no_circle);
+  if (count == 0) return {};
+  const auto first = std::find_if(list.begin(), list.end(), is_no_circle) - list.begin();
+  return "fence: circles of radius 0 do not count: " + std::to_string(count) + ", from item " +
+         std::to_string(first);
 }
 
 MissionVerdict to_verdict(const Answer& answer) {

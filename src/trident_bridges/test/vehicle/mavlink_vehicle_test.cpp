@@ -155,6 +155,23 @@ TEST(MavlinkVehicle, AFenceThatWasUploadedKeepsFromArmingOutside) {
   EXPECT_EQ(drone.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}).result, CommandResult::kAccepted);
 }
 
+TEST(MavlinkVehicle, ACircleWithoutARadiusDoesNotCount) {
+  FlownMavlinkVehicle drone(VehicleKind::kQuadrotor, AutopilotFlavour::kPx4);
+  Mission fence;
+  for (const auto& [x, y] : {std::pair(9, 9), std::pair(9, -9), std::pair(-9, 0)}) {
+    const Eigen::Vector3d corner(x, y, 0);
+    fence.push_back(item_at(MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION, corner, 3.0F));
+  }
+  fence.push_back({});
+  fence.back().command = MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION;
+  fence.back().frame = MAV_FRAME_GLOBAL;
+  const MissionVerdict verdict = drone.upload(MissionType::kFence, fence);
+  ASSERT_TRUE(verdict.is_accepted()) << verdict.reason;
+  EXPECT_EQ(drone.download(MissionType::kFence), fence);
+  EXPECT_EQ(drone.count_texts("circles of radius 0 do not count: 1, from item 3"), 1);
+  EXPECT_EQ(drone.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}).result, CommandResult::kAccepted);
+}
+
 TEST(MavlinkVehicle, AParameterThatIsSetCounts) {
   for (const auto flavour : {AutopilotFlavour::kPx4, AutopilotFlavour::kArdupilot}) {
     FlownMavlinkVehicle drone(VehicleKind::kQuadrotor, flavour);

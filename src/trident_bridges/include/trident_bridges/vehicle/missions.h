@@ -22,9 +22,11 @@ std::vector<bridges::MissionItem> to_autopilot(const Mission& mission, Flavor fl
 MissionItem home_item(const GeoPlace& home);
 
 /// Reads a list of type kFence into `regions`; refused: a polygon without all its corners, or a
-/// command that belongs to no fence.
+/// command that belongs to no fence. A circle of radius 0 does not count.
 MissionVerdict read_fence(const Mission& list, const PlaceContext& context,
                           std::vector<Fence::Region>& regions);
+/// Which of a fence's items do not count, in words; empty: all do.
+std::string notice_of_fence(const Mission& list);
 
 /// An autopilot's answer as one about a mission.
 MissionVerdict to_verdict(const Answer& answer);
