@@ -228,8 +228,9 @@ def test_an_example_does_what_it_is_for(
     vehicle = entry("uav1", "quadrotor", autopilot="px4", offboard_remote_port=PORT)
     fleet = write_vehicles(tmp_path, vehicle)
     uses_mavros = path.stem == "offb_node"
-    # Those that sleep between set-points expect what a vehicle does in that time.
-    factor = 1 if path.stem.startswith("offboard") else 5
+    # Those that sleep between set-points other than places expect what a vehicle does in that time.
+    is_timed = path.stem.startswith("offboard") and path.stem not in PLACES
+    factor = 1 if is_timed else 5
     file = tmp_path / "examples.launch"
     far = fleet.port("uav1", "offboard")
     values = {"vehicles": fleet.path, "factor": factor, "mavros": str(uses_mavros).lower()}
