@@ -84,7 +84,8 @@ def draw_losses(path: Path, rows: Sequence[dict[str, Any]]) -> None:
         axes.set_xlim(-3.0, 28.0)
         axes.set_ylabel(f"loss, {width} MHz")
         axes.grid(True, which="both", alpha=0.3)
-    panels[0, 0].legend(ncol=5, fontsize=8, loc="lower left")
+    handles, labels = panels[-1, 0].get_legend_handles_labels()
+    panels[0, 0].legend(handles, labels, fontsize=8, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     panels[0, 0].set_title(
         "lines: ns-3, by table; marks: counted here; solid, dots: 1500 bytes; dashed, crosses: 100"
     )
