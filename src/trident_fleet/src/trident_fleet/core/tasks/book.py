@@ -1,0 +1,148 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""What a member knows of all tasks.
+
+Records only grow: the greater round is the newer one, within a round a task goes from free to
+awarded, active, and given up, and what is done stays done. So it does not matter in which order
+and how often the news comes, and what two members know can be joined.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+
+from trident_fleet.core.tasks.messages import NOBODY, State, TaskAnnounce, TaskState, round_of
+
+
+@dataclass
+class Holder:
+    """A robot that has a task.
+
+    Attributes:
+        state: AWARDED; ACTIVE: it may have begun; DONE.
+        lease_until_s: it claims the task no longer [s].
+    """
+
+    state: State = State.AWARDED
+    lease_until_s: float = 0.0
+
+
+@dataclass
+class Record:
+    """What is known of a task.
+
+    Attributes:
+        task: as announced last, or entered.
+        round: the newest.
+        holders: who won that round.
+        given_up: nobody will do it.
+        done_by: who has done it; empty: it is not done.
+    """
+
+    task: TaskAnnounce
+    round: int = 0
+    holders: dict[str, Holder] = field(default_factory=dict)
+    given_up: bool = False
+    done_by: tuple[str, ...] = ()
+
+    @property
+    def free(self) -> bool:
+        """Whether it waits for somebody."""
+        return not (self.holders or self.given_up or self.done_by)
+
+    def reopen(self, epoch: int) -> None:
+        """Nobody has it any more: what is still said about the old round does not count."""
+        self.round = self.next_round(epoch)
+        self.holders, self.given_up = {}, False
+
+    def next_round(self, epoch: int) -> int:
+        """A round newer than all that are known, of this epoch's manager."""
+        return max(self.round + 1, round_of(epoch, 1))
+
+    def states(self, epoch: int) -> list[TaskState]:
+        """As a table has it."""
+        task = self.task
+        if self.done_by:
+            return [
+                TaskState(task, State.DONE, name, self.round, epoch, 0.0) for name in self.done_by
+            ]
+        if self.given_up or not self.holders:
+            state = State.FAILED if self.given_up else State.WITHDRAWN
+            return [TaskState(task, state, NOBODY, self.round, epoch, 0.0)]
+        return [
+            TaskState(task, holder.state, name, self.round, epoch, holder.lease_until_s)
+            for name, holder in self.holders.items()
+        ]
+
+
+class Book:
+    """The records of a member, by task."""
+
+    def __init__(self) -> None:
+        """Empty."""
+        self.records: dict[str, Record] = {}
+
+    def done(self) -> set[str]:
+        """The tasks that are done."""
+        return {name for name, record in self.records.items() if record.done_by}
+
+    def enter(self, task: TaskAnnounce) -> Record:
+        """A new task."""
+        return self.records.setdefault(task.task_id, Record(task))
+
+    def join(self, states: Iterable[TaskState]) -> None:
+        """What another member knows."""
+        tasks: dict[str, list[TaskState]] = {}
+        for state in states:
+            tasks.setdefault(state.task.task_id, []).append(state)
+        for same in tasks.values():
+            self._join_task(same)
+
+    def _join_task(self, states: list[TaskState]) -> None:
+        first = states[0]
+        record = self.enter(first.task)
+        done_by = tuple(state.robot_id for state in states if state.state is State.DONE)
+        if len(done_by) == len(states):
+            record.done_by = record.done_by or done_by
+        if record.done_by or first.round < record.round:
+            return
+        if first.round > record.round:
+            record.round, record.holders, record.given_up = first.round, {}, False
+            record.task = first.task
+        record.given_up |= first.state is State.FAILED
+        for state in states:
+            if state.robot_id != NOBODY:
+                self._join_holder(record, state)
+
+    @staticmethod
+    def _join_holder(record: Record, state: TaskState) -> None:
+        holder = record.holders.setdefault(state.robot_id, Holder())
+        holder.state = State(max(holder.state, state.state))
+        holder.lease_until_s = max(holder.lease_until_s, state.lease_until_s)
+
+    def table(self, epoch: int) -> tuple[TaskState, ...]:
+        """All of it."""
+        return tuple(state for record in self.records.values() for state in record.states(epoch))
+
+    def echo(
+        self, epoch: int, robot: str, leases: dict[str, float], rounds: dict[str, int]
+    ) -> tuple[TaskState, ...]:
+        """What a member says that it knows, apart from what is free as far as the manager knows.
+
+        Its own tasks have the lease until which it claims them, 0 if it does not.
+
+        Args:
+            epoch: of the manager that it follows.
+            robot: its name.
+            leases: of the tasks that it has [s].
+            rounds: that the manager's table has shown.
+        """
+        return tuple(
+            replace(state, lease_until_s=leases.get(state.task.task_id, 0.0))
+            if state.robot_id == robot
+            else state
+            for record in self.records.values()
+            if not record.free or record.round > rounds.get(record.task.task_id, 0)
+            for state in record.states(epoch)
+        )

@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""What is checked before a task is taken in, and before a bid counts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from trident_fleet.core.tasks.fields import Capabilities, TaskError, nobody_can
+from trident_fleet.core.tasks.messages import TaskAnnounce, TaskBid
+from trident_fleet.core.tasks.plan import Job
+
+
+def check_tasks(
+    new: Sequence[TaskAnnounce],
+    known: Mapping[str, TaskAnnounce],
+    robots: dict[str, Capabilities],
+) -> list[str]:
+    """Check tasks that come together.
+
+    Args:
+        new: the tasks.
+        known: that are there already.
+        robots: of the team.
+
+    Returns:
+        What a user may want to know, a sentence each: requirements that no robot has.
+
+    Raises:
+        TaskError: names task, field, value and legal range.
+    """
+    together = dict(known)
+    for task in new:
+        if task.task_id in together:
+            raise TaskError(f"task {task.task_id!r}: task_id is there already, legal: a new one")
+        together[task.task_id] = task
+    for task in new:
+        _check_fields(task, len(robots))
+        for before in task.after:
+            if before not in together:
+                raise TaskError(
+                    f"task {task.task_id!r}: after is {before!r}, an unknown task, legal: "
+                    f"{', '.join(sorted(set(together) - {task.task_id})) or 'none'}"
+                )
+    _check_order(together)
+    said = [nobody_can(f"task {task.task_id!r}", Job.of(task).asked, robots) for task in new]
+    return [text for text in said if text is not None]
+
+
+def _check_fields(task: TaskAnnounce, robots: int) -> None:
+    owner = f"task {task.task_id!r}"
+    if not task.task_id:
+        raise TaskError("task: task_id is empty, legal: a name")
+    if len(task.place) != 3 or not all(math.isfinite(value) for value in task.place):
+        raise TaskError(f"{owner}: place is {task.place}, legal: three finite numbers")
+    for name in ("duration_s", "value"):
+        value = getattr(task, name)
+        if not 0.0 <= value < math.inf:
+            raise TaskError(f"{owner}: {name} is {value}, legal: finite, from 0")
+    if not task.deadline_s > 0.0:
+        raise TaskError(f"{owner}: deadline_s is {task.deadline_s}, legal: above 0")
+    if not 1 <= task.robots_needed <= max(robots, 1):
+        raise TaskError(
+            f"{owner}: robots_needed is {task.robots_needed}, legal: 1 ... {max(robots, 1)}"
+        )
+
+
+def _check_order(tasks: Mapping[str, TaskAnnounce]) -> None:
+    """Refuse tasks that wait for each other."""
+    settled: set[str] = set()
+    for first in tasks:
+        path: list[str] = []
+        stack = [(first, iter(tasks[first].after))]
+        path.append(first)
+        while stack:
+            name, rest = stack[-1]
+            before = next(rest, None)
+            if before is None:
+                stack.pop()
+                path.pop()
+                settled.add(name)
+            elif before in path:
+                circle = " after ".join([*path[path.index(before) :], before])
+                raise TaskError(
+                    f"task {before!r}: after is circular: {circle}, legal: an order without circles"
+                )
+            elif before not in settled:
+                path.append(before)
+                stack.append((before, iter(tasks[before].after)))
+
+
+def refuse_bid(bid: TaskBid, source: str, robots: Mapping[str, Capabilities]) -> str | None:
+    """Why a bid is bad input; None: it is not."""
+    owner = f"bid of {source} for task {bid.task_id!r}"
+    if bid.robot_id != source or bid.robot_id not in robots:
+        legal = source if source in robots else ", ".join(robots)
+        return f"{owner}: robot_id is {bid.robot_id!r}, legal: {legal}"
+    if not 0.0 <= bid.cost < math.inf:
+        return f"{owner}: cost is {bid.cost}, legal: finite, from 0"
+    for name in ("start_s", "energy"):
+        value = getattr(bid, name)
+        if not 0.0 <= value < math.inf:
+            return f"{owner}: {name} is {value}, legal: finite, from 0"
+    return None

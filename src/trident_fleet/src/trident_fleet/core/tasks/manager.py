@@ -1,0 +1,260 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""A manager's side of the contract net: auctions, leases, permissions, and who takes over.
+
+A pure state machine: it is fed messages and times, and returns what it would send. All members that
+may manage have one. All but one stand by, and the next in the succession takes over when the table
+of the one that manages was not heard for too long.
+
+A task that must not be done twice is begun only with permission, which needs that more than half of
+the members know who has it (they say so in their tables). A new manager touches such tasks only
+when more than half of the members follow it, so it knows all permissions that can have been given.
+Then, whatever has been cut off, no second robot begins the task unless the first one has said
+itself that it has not done it. If it never says anything, the task is given up, and so reported.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from trident_fleet.core.tasks.auctions import Auctions
+from trident_fleet.core.tasks.book import Holder
+from trident_fleet.core.tasks.fields import TaskError
+from trident_fleet.core.tasks.follower import Follower
+from trident_fleet.core.tasks.intake import check_tasks, refuse_bid
+from trident_fleet.core.tasks.ledger import Ledger
+from trident_fleet.core.tasks.messages import (
+    NOBODY,
+    State,
+    TaskAnnounce,
+    TaskAward,
+    TaskBid,
+    TaskConfirm,
+    TaskMessage,
+    TaskProgress,
+    TaskTable,
+)
+from trident_fleet.core.tasks.methods.base import Method, Offer
+from trident_fleet.core.tasks.plan import Job
+from trident_fleet.core.tasks.protocol import Sent
+
+
+class Manager:
+    """The state machine of one manager, on duty or standing by."""
+
+    def __init__(self, name: str, method: Method, follower: Follower, now_s: float) -> None:
+        """A manager that stands by.
+
+        Args:
+            name: of the member.
+            method: of allocation; the robots have the same.
+            follower: of this member.
+            now_s: when it starts [s].
+        """
+        self.name, self.method, self.follower = name, method, follower
+        self.team, self.times, self.guards = follower.team, follower.team.times, follower.guards
+        self.on_duty = False
+        self.ledger = Ledger(follower, now_s)
+        self._auctions = Auctions(name, method, self.team, self.guards)
+        self._next_table_s = now_s
+        self._followers: set[str] = set()
+        self._heard_s: dict[str, float] = {}
+
+    def add(self, tasks: Sequence[TaskAnnounce]) -> list[str]:
+        """Take in new tasks.
+
+        Returns:
+            What a user may want to know, a sentence each.
+
+        Raises:
+            TaskError: of a task that is not legal; none was taken in.
+        """
+        records = self.follower.book.records
+        known = {name: record.task for name, record in records.items()}
+        said = check_tasks(tasks, known, self.team.robots)
+        for task in tasks:
+            self.follower.book.enter(task)
+        return said
+
+    def cancel(self, task_id: str) -> None:
+        """A task shall not be done any more.
+
+        Raises:
+            TaskError: it is unknown.
+        """
+        record = self.follower.book.records.get(task_id)
+        if record is None:
+            raise TaskError(f"task {task_id!r}: unknown, legal: {self._names()}")
+        if not record.done_by:
+            record.reopen(self.follower.epoch)
+            self.ledger.give_up(record, "canceled")
+
+    def take_over(self, now_s: float) -> list[Sent]:
+        """Be the manager from now on, in an epoch of its own."""
+        follower = self.follower
+        follower.epoch = self.team.epoch_after(follower.seen_epoch, self.name)
+        follower.manager, self.on_duty = self.name, True
+        self._followers = {self.name} if follower.vouches else set()
+        self.ledger.start(now_s)
+        self._auctions = Auctions(self.name, self.method, self.team, self.guards)
+        return self._table(now_s)
+
+    def on_message(self, source: str, message: TaskMessage, now_s: float) -> list[Sent]:
+        """Take in what somebody has sent."""
+        self._heard_s[source] = now_s
+        if isinstance(message, TaskTable):
+            return self._on_table(source, message, now_s)
+        if isinstance(message, TaskProgress):
+            self.ledger.on_progress(source, message, self.on_duty)
+        elif isinstance(message, TaskBid) and self.on_duty:
+            self._on_bid(source, message, now_s)
+        elif isinstance(message, TaskConfirm) and self.on_duty and not message.accept:
+            self._on_refusal(source, message)
+        return []
+
+    def on_time(self, now_s: float) -> list[Sent]:
+        """What is due by now."""
+        if not self.on_duty:
+            rank = self.team.managers.index(self.name)
+            silence_s = self.times.silence_s + rank * self.times.stagger_s
+            late = now_s - max(self.follower.heard_s, self.ledger.since_s) >= silence_s
+            return self.take_over(now_s) if late else []
+        self.ledger.end_leases(now_s)
+        self.ledger.permit()
+        sent = self._hold_auctions(now_s)
+        if now_s >= self._next_table_s or sent:
+            sent += self._table(now_s)
+        return sent
+
+    def _table(self, now_s: float) -> list[Sent]:
+        self._next_table_s = now_s + self.times.digest_s
+        epoch = self.follower.epoch
+        return [Sent(TaskTable(now_s, self.name, epoch, self.follower.book.table(epoch)))]
+
+    def _on_table(self, source: str, table: TaskTable, now_s: float) -> list[Sent]:
+        follower = self.follower
+        follower.hear(source, table, now_s)
+        if self.on_duty and (
+            follower.manager != self.name or self.guards.is_newer(table.epoch, follower.epoch)
+        ):
+            self.on_duty, self.ledger.since_s = False, now_s
+            if follower.manager == self.name:
+                follower.manager = NOBODY
+        if self.on_duty and source != self.name and table.manager in (self.name, NOBODY):
+            self.hear_echo(source, table, now_s)
+        return []
+
+    def hear_echo(self, source: str, table: TaskTable, now_s: float) -> None:
+        """What a member that follows this manager knows and has."""
+        if not self.guards.is_current(table.epoch, self.follower.epoch):
+            return
+        vouches = table.manager == self.name
+        if vouches:
+            self._followers.add(source)
+        book = self.follower.book
+        book.join(table.tasks)
+        for state in table.tasks:
+            record = book.records[state.task.task_id]
+            if state.robot_id == NOBODY or not self.guards.same_round(state.round, record.round):
+                continue
+            if vouches:
+                self.ledger.known_by[state.task.task_id, state.round].add(source)
+            holder = record.holders.get(source)
+            if state.robot_id == source and holder is not None and state.lease_until_s > 0.0:
+                renewed_s = max(holder.lease_until_s, now_s + self.times.lease_s)
+                holder.lease_until_s = renewed_s
+
+    def _on_bid(self, source: str, bid: TaskBid, now_s: float) -> None:
+        problem = refuse_bid(bid, source, self.team.robots)
+        if bid.task_id not in self.follower.book.records:
+            problem = f"bid of {source}: task_id is {bid.task_id!r}, legal: {self._names()}"
+        problem = problem or self._auctions.bid(bid, now_s)
+        if problem is not None:
+            self.follower.problem(problem)
+
+    def _on_refusal(self, source: str, message: TaskConfirm) -> None:
+        """A robot does not take what it has won, so it has not begun."""
+        record = self.follower.book.records.get(message.task_id)
+        if record is None or not self.guards.same_round(message.round, record.round):
+            return
+        self._auctions.refused(source)
+        if source in record.holders and not record.done_by:
+            record.reopen(self.follower.epoch)
+
+    def _hold_auctions(self, now_s: float) -> list[Sent]:
+        sent: list[Sent] = []
+        earliest_s = now_s - self.times.silence_s
+        awaited = {
+            name
+            for name in self.team.robots
+            if max(self._heard_s.get(name, 0.0), self.ledger.since_s) >= earliest_s
+        }
+        for auction, offers in self._auctions.decide(now_s, awaited):
+            sent += self._award(auction.job, offers, now_s)
+        for job in self._auctions.unsold(now_s):
+            if self._waits_long(now_s) and self._auctions.fruitless[job.task_id] > 2:
+                self.ledger.reasons[job.task_id] = "nobody who is heard can do it"
+        waiting = self._waiting(now_s)
+        for job in self.method.offered(waiting):
+            if job.task_id not in self._auctions.running:
+                record = self.follower.book.records[job.task_id]
+                record.round = record.next_round(self.follower.epoch)
+                record.task = self._auctions.announce(job, record.round, now_s)
+                sent.append(Sent(record.task))
+        sent += [Sent(task) for task in self._auctions.announcements_due(now_s)]
+        return sent
+
+    def _waiting(self, now_s: float) -> list[Job]:
+        """The tasks that somebody should do, and could begin."""
+        settled = now_s - self.ledger.since_s >= 2.0 * self.times.digest_s
+        followed = self.ledger.quorum(self._followers)
+        waiting = []
+        for record in self.follower.book.records.values():
+            task = record.task
+            if not record.free:
+                self._auctions.running.pop(task.task_id, None)
+            elif now_s + task.duration_s > task.deadline_s:
+                self.ledger.give_up(record, f"not done by its deadline, {task.deadline_s} s")
+            elif not followed and not task.repeatable and self._waits_long(now_s):
+                heard = f"{len(self._followers)} of {len(self.team.members)}"
+                self.ledger.reasons[task.task_id] = (
+                    f"must not be done twice, and only {heard} members are heard"
+                )
+            elif (followed or (settled and task.repeatable)) and self.guards.after_done(
+                task.after, self.follower.book.done()
+            ):
+                waiting.append(Job.of(task))
+        return sorted(waiting, key=lambda job: self._auctions.fruitless.get(job.task_id, 0))
+
+    def _waits_long(self, now_s: float) -> bool:
+        return now_s - self.ledger.since_s >= self.times.patience_s
+
+    def _award(self, job: Job, offers: Sequence[Offer], now_s: float) -> list[Sent]:
+        record = self.follower.book.records[job.task_id]
+        if not record.free or record.round != job.task.round:
+            return []
+        self._auctions.fruitless.pop(job.task_id, None)
+        self.ledger.reasons.pop(job.task_id, None)
+        lease_until_s = now_s + self.times.lease_s
+        record.holders = {offer.robot: Holder(State.AWARDED, lease_until_s) for offer in offers}
+        epoch = self.follower.epoch
+        return [
+            Sent(
+                TaskAward(
+                    now_s,
+                    job.task_id,
+                    record.round,
+                    self.name,
+                    offer.robot,
+                    offer.cost,
+                    (*offer.bundle, job.task_id) if offer.bundle else (),
+                    epoch,
+                    lease_until_s,
+                ),
+                offer.robot,
+            )
+            for offer in offers
+        ]
+
+    def _names(self) -> str:
+        return ", ".join(self.follower.book.records) or "none"

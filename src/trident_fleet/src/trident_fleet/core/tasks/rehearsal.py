@@ -1,0 +1,150 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""A team of points that move straight and work: the protocol end to end, for tests and benches."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from trident_fleet.core.network import Channel
+from trident_fleet.core.tasks.member import Member
+from trident_fleet.core.tasks.messages import Point, TaskAnnounce, TaskMessage
+from trident_fleet.core.tasks.methods.base import Method
+from trident_fleet.core.tasks.plan import Plan
+from trident_fleet.core.tasks.protocol import Guards, Team
+
+
+@dataclass
+class Body:
+    """What is true of a robot.
+
+    Attributes:
+        place: p_common [m].
+        working: at which task; None: none.
+        until_s: when the work is done [s].
+    """
+
+    place: Point
+    working: str | None = None
+    until_s: float = math.inf
+
+
+@dataclass
+class Happened:
+    """What has been done in truth.
+
+    Attributes:
+        begun: (time, task, robot) [s].
+        done: (time, task, robot) [s].
+    """
+
+    begun: list[tuple[float, str, str]] = field(default_factory=list)
+    done: list[tuple[float, str, str]] = field(default_factory=list)
+
+
+class Rehearsal:
+    """A team on a channel. Its owner steps it, and kills and parts whom it likes."""
+
+    def __init__(
+        self,
+        team: Team,
+        places: dict[str, Point],
+        method: Method,
+        channel: Channel[TaskMessage],
+        guards: Callable[[str], Guards] | None = None,
+    ) -> None:
+        """All robots at their places, p_common [m], at time 0."""
+        self.team, self.method, self.channel = team, method, channel
+        self._guards = guards or (lambda _: Guards())
+        self.bodies = {name: Body(place) for name, place in places.items()}
+        self.happened = Happened()
+        self.members = {name: self._member(name, False) for name in sorted(team.members)}
+
+    def add(self, tasks: list[TaskAnnounce], manager: str | None = None) -> list[str]:
+        """Give tasks to a manager, the first one unless named, which takes over at once."""
+        member = self.members[manager or self.team.managers[0]]
+        assert member.manager is not None
+        said = member.manager.add(tasks)
+        if not member.manager.on_duty:
+            member.send(member.manager.take_over(self.channel.now()))
+        return said
+
+    def step(self, step_s: float) -> None:
+        """Let time pass, and all that live act."""
+        self.channel.advance(self.channel.now() + step_s)
+        for name, member in self.members.items():
+            if not self.channel.is_up(name):
+                continue
+            member.spin()
+            if member.robot is not None:
+                self._move(member, step_s)
+
+    def kill(self, name: str) -> None:
+        """A member dies, with its robot."""
+        self.channel.crash(name)
+        if name in self.bodies:
+            self.bodies[name].working = None
+
+    def restart(self, name: str) -> None:
+        """A member is there again, where it was, and has forgotten everything."""
+        self.channel.restart(name)
+        self.members[name] = self._member(name, True)
+
+    def manager(self) -> Member | None:
+        """The living manager of the newest epoch."""
+        on_duty = [
+            member
+            for name, member in self.members.items()
+            if self.channel.is_up(name) and member.manager is not None and member.manager.on_duty
+        ]
+        return max(on_duty, key=lambda member: member.follower.epoch, default=None)
+
+    def open_tasks(self) -> list[str]:
+        """Of which the manager neither knows that they are done, nor has said why not."""
+        member = self.manager()
+        if member is None or member.manager is None:
+            return ["there is no manager"]
+        reasons = member.manager.ledger.reasons
+        records = member.follower.book.records
+        return [
+            name
+            for name, record in records.items()
+            if not (record.done_by or record.given_up or name in reasons)
+        ]
+
+    def _member(self, name: str, restarted: bool) -> Member:
+        plan = None
+        if name in self.team.robots:
+            plan = Plan(name, self.team.robots[name], self.bodies[name].place)
+        port = self.channel.port(name)
+        return Member(port, self.team, self.method, plan, self._guards(name), restarted)
+
+    def _move(self, member: Member, step_s: float) -> None:
+        robot, body, now_s = member.robot, self.bodies[member.name], self.channel.now()
+        assert robot is not None
+        held = robot.current(now_s)
+        if body.working is not None and (held is None or held.job.task_id != body.working):
+            body.working = None
+        if held is None:
+            return
+        task = held.job.task
+        if body.working is None:
+            body.place = _toward(body.place, task.place, robot.plan.can.speed_m_s * step_s)
+            robot.plan.moved(body.place, now_s)
+            if body.place == task.place and robot.begin(task.task_id, now_s):
+                body.working, body.until_s = task.task_id, now_s + task.duration_s
+                self.happened.begun.append((now_s, task.task_id, member.name))
+        elif now_s >= body.until_s:
+            body.working = None
+            self.happened.done.append((now_s, task.task_id, member.name))
+            member.send(robot.finish(task.task_id, now_s))
+
+
+def _toward(place: Point, goal: Point, most_m: float) -> Point:
+    distance_m = math.dist(place, goal)
+    if distance_m <= most_m:
+        return goal
+    x, y, z = (a + (b - a) * most_m / distance_m for a, b in zip(place, goal, strict=True))
+    return (x, y, z)
