@@ -32,16 +32,29 @@ def assign(start: Array, places: Array) -> npt.NDArray[np.intp]:
     Returns:
         The place of each vehicle, shape (N,).
     """
-    # Imported here: nodes that fly a file do without.
-    from scipy.optimize import linear_sum_assignment
-
     count = len(start)
     cost = ((start[:, None] - places[None]) ** 2).sum(axis=-1)
     number = np.arange(count)
     apart = (number[:, None] - number[None]) ** 2 / count**3
     ticks = np.round(cost / _RESOLUTION_M2)
-    _, place = linear_sum_assignment(ticks + 0.5 * apart)
-    return np.asarray(place, dtype=np.intp)
+    _, place = cheapest_pairs(ticks + 0.5 * apart)
+    return place
+
+
+def cheapest_pairs(cost: Array) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
+    """Pair rows and columns, as many as there are of the fewer, at the least total cost.
+
+    Args:
+        cost: finite, shape (N, M).
+
+    Returns:
+        Rows, growing, and their columns, two arrays of the length min(N, M).
+    """
+    # Imported here: nodes that fly a file do without.
+    from scipy.optimize import linear_sum_assignment
+
+    rows, columns = linear_sum_assignment(cost)
+    return np.asarray(rows, dtype=np.intp), np.asarray(columns, dtype=np.intp)
 
 
 def guaranteed_separation(start: Array, goal: Array) -> float:

@@ -104,10 +104,18 @@ class Plan:
         self.place, self.now_s, self.energy_j = place, 0.0, can.energy_j
         self.jobs: list[Job] = []
         self.version = 0
+        self._found: dict[tuple[str, int], Insertion | None] = {}
+
+    def copy(self) -> Plan:
+        """The same route, to try something."""
+        other = Plan(self.robot, self.can, self.place, self.travel, self.objective)
+        other.now_s, other.energy_j, other.jobs = self.now_s, self.energy_j, list(self.jobs)
+        return other
 
     def moved(self, place: Point, now_s: float, energy_j: float | None = None) -> None:
         """The robot is here now, with this much energy left (None: as it was)."""
         self.place, self.now_s = place, now_s
+        self._found.clear()
         self.energy_j = self.energy_j if energy_j is None else energy_j
 
     def lacks(self, job: Job) -> list[str]:
@@ -121,6 +129,7 @@ class Plan:
     def insert(self, job: Job, index: int) -> None:
         """Take a job into the route."""
         self.jobs.insert(index, job)
+        self._found.clear()
         self.version += 1
 
     def remove(self, task_id: str) -> None:
@@ -128,6 +137,7 @@ class Plan:
         kept = [job for job in self.jobs if job.task_id != task_id]
         self.version += len(kept) != len(self.jobs)
         self.jobs = kept
+        self._found.clear()
 
     def timing(self, jobs: Sequence[Job] | None = None) -> Timing | None:
         """Carry out a route in mind.
@@ -154,14 +164,6 @@ class Plan:
             starts_s.append(start_s)
         return Timing(length_m, now_s, energy_j, tuple(starts_s), value)
 
-    def cost_of(self, jobs: Sequence[Job]) -> float:
-        """Length of a route [m], whether or not it can be carried out in time."""
-        length_m, place = 0.0, self.place
-        for job in jobs:
-            length_m += self.travel(place, job.task.place)
-            place = job.task.place
-        return length_m
-
     def best_insertion(self, job: Job, first: int = 0) -> Insertion | None:
         """Where in the route a job costs least; None if it does not fit, or lacks something.
 
@@ -169,8 +171,12 @@ class Plan:
             job: that is not in the route.
             first: no earlier than this: what comes before has been begun.
         """
-        if self.lacks(job):
-            return None
+        key = (job.task_id, first)
+        if key not in self._found:
+            self._found[key] = None if self.lacks(job) else self._best_insertion(job, first)
+        return self._found[key]
+
+    def _best_insertion(self, job: Job, first: int) -> Insertion | None:
         before = self.timing()
         indices = sorted(
             range(min(first, len(self.jobs)), len(self.jobs) + 1),

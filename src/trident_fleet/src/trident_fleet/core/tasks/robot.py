@@ -9,25 +9,22 @@ robot asks `current` what is to be done, calls `begin` at the place until that i
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
-from trident_fleet.core.tasks.fields import TaskError
+from trident_fleet.core.tasks.bidder import Bidder
 from trident_fleet.core.tasks.follower import Follower
 from trident_fleet.core.tasks.messages import (
     NOBODY,
     State,
     TaskAnnounce,
     TaskAward,
-    TaskBid,
     TaskConfirm,
     TaskMessage,
     TaskProgress,
     TaskState,
     TaskTable,
-    epoch_of,
 )
-from trident_fleet.core.tasks.methods.base import Method, Offer
+from trident_fleet.core.tasks.methods.base import Method
 from trident_fleet.core.tasks.plan import Job, Plan
 from trident_fleet.core.tasks.protocol import Sent, needs_permission
 
@@ -68,16 +65,14 @@ class Robot:
         self.guards, self.times = follower.guards, follower.team.times
         self.holdings: dict[str, Holding] = {}
         self._ended: dict[str, TaskProgress] = {}
-        self._open: dict[str, Job] = {}
-        self._bids: dict[tuple[str, int], tuple[TaskBid, Job]] = {}
-        self._bid_version: int | None = 0
+        self._bidder = Bidder(plan, method, follower)
         self._next_table_s = self._next_report_s = 0.0
 
     def on_message(self, source: str, message: TaskMessage, now_s: float) -> list[Sent]:
         """Take in what somebody else has sent."""
         self._drop_what_is_over(now_s)
         if isinstance(message, TaskAnnounce):
-            return self._on_announce(message, now_s)
+            return self._bidder.hear(message)
         if isinstance(message, TaskAward):
             return self._on_award(message, now_s)
         if isinstance(message, TaskTable) and self.follower.hear(source, message, now_s):
@@ -87,7 +82,7 @@ class Robot:
     def on_time(self, now_s: float) -> list[Sent]:
         """What is due by now."""
         self._drop_what_is_over(now_s)
-        sent = self.bid_again(now_s) if self._bid_version != self.plan.version else []
+        sent = self._bidder.bid(now_s, self._fixed())
         if now_s >= self._next_report_s:
             self._next_report_s = now_s + self.times.retry_s
             sent += [Sent(report) for report in self._reports(now_s)]
@@ -146,74 +141,6 @@ class Robot:
         """The robot gives a task back."""
         return self._end(task_id, State.WITHDRAWN, reason, now_s)
 
-    def bid_again(self, now_s: float) -> list[Sent]:
-        """Bid for all that is on offer, by the plan as it is now."""
-        self._bid_version = self.plan.version
-        open_jobs = [
-            job
-            for job in self._open.values()
-            if self.guards.in_time(now_s, job.task.bids_until_s)
-            and not self.plan.has(job.task_id)
-            and job.task_id not in self.follower.book.done()
-        ]
-        self._open = {job.task_id: job for job in open_jobs}
-        busy = self.method.one_each and bool(self.plan.jobs)
-        offers = [] if busy else self.method.bids(self.plan, open_jobs, self._fixed())
-        if not offers:
-            return [Sent(self._no_bid(job.task, now_s), job.task.manager) for job in open_jobs[:1]]
-        return self._send_bids(offers, now_s)
-
-    def _no_bid(self, task: TaskAnnounce, now_s: float) -> TaskBid:
-        """The answer of a robot that has nothing to bid."""
-        version = self.plan.version
-        return TaskBid(
-            now_s, task.task_id, task.round, self.name, 0.0, version=version, withdraw=True
-        )
-
-    def _send_bids(self, offers: list[Offer], now_s: float) -> list[Sent]:
-        sent = []
-        for offer in offers:
-            task = self._open[offer.task_id].task
-            bid = TaskBid(
-                now_s,
-                task.task_id,
-                task.round,
-                self.name,
-                offer.cost,
-                offer.start_s,
-                offer.energy_j,
-                offer.bundle,
-                offer.version,
-            )
-            if math.isfinite(bid.cost):
-                self._bids[task.task_id, task.round] = (bid, self._open[task.task_id])
-                sent.append(Sent(bid, task.manager))
-        return sent
-
-    def _on_announce(self, task: TaskAnnounce, now_s: float) -> list[Sent]:
-        if not self.guards.is_current(epoch_of(task.round), self.follower.epoch):
-            return []
-        try:
-            job = Job.of(task)
-        except TaskError as error:
-            self.follower.problem(str(error))
-            return []
-        known = self._bids.get((task.task_id, task.round))
-        if known is not None and known[0].version == self.plan.version:
-            return [Sent(known[0], task.manager)]
-        if self._knows_newer(task.task_id, task.round) or not self.guards.can(self.plan.lacks(job)):
-            return []
-        self._open[task.task_id] = job
-        self._bid_version = None
-        return []
-
-    def _knows_newer(self, task_id: str, auction: int) -> bool:
-        record = self.follower.book.records.get(task_id)
-        open_job = self._open.get(task_id)
-        if open_job is not None and open_job.task.round > auction:
-            return True
-        return record is not None and (record.round > auction or bool(record.done_by))
-
     def _on_award(self, award: TaskAward, now_s: float) -> list[Sent]:
         if not self.guards.is_current(award.epoch, self.follower.epoch):
             return []
@@ -233,10 +160,9 @@ class Robot:
             return f"{ended.state.name.lower()} before: {ended.reason}"
         if held is not None:
             return "holds it by another round"
-        bid = self._bids.get((task_id, auction))
-        if bid is None:
+        job = self._bidder.has_bid(task_id, auction)
+        if job is None:
             return "has not bid in this round"
-        job = bid[1]
         record = self.follower.book.records.get(task_id)
         if record is not None and (record.round > auction or record.done_by):
             return "there is a newer round, or it is done"
@@ -247,7 +173,7 @@ class Robot:
             return "does not fit the plan any more"
         self.plan.insert(job, insertion.index)
         self.holdings[task_id] = Holding(job, auction, lease_until_s)
-        self._open.pop(task_id, None)
+        self._bidder.won(task_id)
         epoch = self.follower.epoch
         mine = TaskState(job.task, State.AWARDED, self.name, auction, epoch, lease_until_s)
         self.follower.book.join([mine])
@@ -264,6 +190,7 @@ class Robot:
             held = self.holdings.get(task_id)
             if held is not None:
                 self._compare(held, states)
+            self._bidder.forget_sold(task_id, states)
         return []
 
     def _compare(self, held: Holding, states: list[TaskState]) -> None:

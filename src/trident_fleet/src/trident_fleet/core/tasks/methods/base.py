@@ -83,3 +83,11 @@ def insertion_bids(plan: Plan, offered: Sequence[Job], first: int) -> list[Offer
 def by_cost(offer: Offer) -> tuple[float, str, str]:
     """Order of bids: the cheapest first, then by name."""
     return (offer.cost, offer.task_id, offer.robot)
+
+
+def lowest_for_each(offers: Sequence[Offer]) -> list[Offer]:
+    """The lowest bid for each task."""
+    lowest: dict[str, Offer] = {}
+    for offer in sorted(offers, key=by_cost):
+        lowest.setdefault(offer.task_id, offer)
+    return list(lowest.values())

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from trident_fleet.core.tasks.methods.base import Offer, by_cost, insertion_bids
+from trident_fleet.core.tasks.methods.base import Offer, insertion_bids, lowest_for_each
 from trident_fleet.core.tasks.plan import Insertion, Job, Plan
 
 
@@ -34,11 +34,3 @@ class Plain:
     def winners(self, offers: Sequence[Offer]) -> list[Offer]:
         """The lowest bid for each task."""
         return lowest_for_each(offers)
-
-
-def lowest_for_each(offers: Sequence[Offer]) -> list[Offer]:
-    """The lowest bid for each task."""
-    lowest: dict[str, Offer] = {}
-    for offer in sorted(offers, key=by_cost):
-        lowest.setdefault(offer.task_id, offer)
-    return list(lowest.values())

@@ -1,0 +1,226 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import replace
+from random import Random
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+from scenes import LOSSY, PERFECT, scene
+from trident_fleet.core.assignment import cheapest_pairs
+from trident_fleet.core.quintic import Array
+from trident_fleet.core.tasks.allocate import Allocation, allocate
+from trident_fleet.core.tasks.fields import Capabilities, Requirements
+from trident_fleet.core.tasks.grid_path import GridPath
+from trident_fleet.core.tasks.messages import Point, TaskAnnounce
+from trident_fleet.core.tasks.methods import METHODS
+from trident_fleet.core.tasks.methods.auction import auction_pairs
+from trident_fleet.core.tasks.plan import Objective
+
+Robots = dict[str, tuple[Capabilities, Point]]
+
+ONE_EACH = [name for name, method in METHODS.items() if method.one_each]
+MANY_EACH = [name for name, method in METHODS.items() if not method.one_each]
+
+
+def instance(robots: int, tasks: int, seed: int) -> tuple[Robots, list[TaskAnnounce]]:
+    """Points anywhere on 100 x 100 m, robots of speeds 1 ... 3 m/s."""
+    random = Random(seed)
+
+    def point() -> Point:
+        return (random.uniform(0.0, 100.0), random.uniform(0.0, 100.0), 0.0)
+
+    team = {
+        f"r{index}": (Capabilities("ground", speed_m_s=1.0 + index % 3), point())
+        for index in range(robots)
+    }
+    return team, [
+        TaskAnnounce(0.0, f"t{index}", "", 0, "visit", "", point(), 5.0) for index in range(tasks)
+    ]
+
+
+def exact(team: Robots, tasks: list[TaskAnnounce], makespan: bool) -> float:
+    """The optimum: the best order of every subset for every robot, and the best partition."""
+    count = len(tasks)
+    costs = []
+    for can, place in team.values():
+        least = [0.0] * (1 << count)
+        for mask in range(1, 1 << count):
+            chosen = [task for index, task in enumerate(tasks) if mask >> index & 1]
+            least[mask] = min(
+                sum(map(math.dist, (place, *order), order))
+                for order in itertools.permutations(task.place for task in chosen)
+            )
+            if makespan:
+                least[mask] = least[mask] / can.speed_m_s + 5.0 * len(chosen)
+        costs.append(least)
+    best = costs[0]
+    for least in costs[1:]:
+        best = [_best_split(best, least, mask, makespan) for mask in range(1 << count)]
+    return best[-1]
+
+
+def _best_split(one: list[float], other: list[float], mask: int, makespan: bool) -> float:
+    best, part = math.inf, mask
+    while True:
+        pair = (one[part], other[mask ^ part])
+        best = min(best, max(pair) if makespan else sum(pair))
+        if not part:
+            return best
+        part = (part - 1) & mask
+
+
+def test_few_tasks_are_within_a_hundredth_of_the_optimum() -> None:
+    sums, spans = [], []
+    for seed in range(12):
+        team, tasks = instance(2 + seed % 3, 4 + seed % 3, seed)
+        found = allocate(team, tasks, METHODS["improved"])
+        sums.append(found.length_m / exact(team, tasks, makespan=False))
+        found = allocate(team, tasks, METHODS["improved"], Objective.MAKESPAN)
+        spans.append(found.finish_s / exact(team, tasks, makespan=True))
+    assert min(sums) > 1.0 - 1e-9
+    assert np.mean(sums) <= 1.01
+    assert min(spans) > 1.0 - 1e-9
+    assert np.mean(spans) <= 1.1
+
+
+def test_methods_are_better_in_the_order_in_which_they_are_meant_to_be() -> None:
+    length_m = {
+        name: sum(allocate(*instance(5, 25, seed), METHODS[name]).length_m for seed in range(6))
+        for name in MANY_EACH
+    }
+    assert length_m["improved"] < length_m["sequential"] < length_m["nearest"]
+    assert length_m["improved"] < 0.97 * length_m["plain"]
+    assert length_m["plain"] < length_m["nearest"]
+
+
+def test_a_large_team_needs_at_most_forty_messages_a_task() -> None:
+    found = allocate(*instance(12, 70, 1), METHODS["improved"])
+    assert not found.left
+    assert found.messages <= 40 * 70
+
+
+@given(
+    arrays(
+        np.float64,
+        st.tuples(st.integers(1, 8), st.integers(1, 8)),
+        elements=st.floats(0.0, 100.0, allow_subnormal=False),
+    )
+)
+def test_prices_pair_as_the_hungarian_method_does(cost: Array) -> None:
+    pairs = auction_pairs(cost)
+    rows, columns = cheapest_pairs(cost)
+    assert len(pairs) == len(rows)
+    total = sum(cost[pair] for pair in pairs)
+    resolution = 1e-6 * len(rows) * float(cost.max()) + 1e-12
+    assert total == pytest.approx(cost[rows, columns].sum(), abs=resolution)
+
+
+@pytest.mark.parametrize("count", [3, 10, 30])
+def test_one_task_each_at_the_least_cost(count: int) -> None:
+    for seed in range(3):
+        team, tasks = instance(count, count, seed)
+        found = [allocate(team, tasks, METHODS[name]).length_m for name in ONE_EACH]
+        cost = np.array(
+            [[math.dist(place, task.place) for task in tasks] for _, place in team.values()]
+        )
+        assert found == pytest.approx([cost[cheapest_pairs(cost)].sum()] * len(found), rel=1e-3)
+
+
+class TestEveryMethod:
+    """What any method keeps to."""
+
+    @pytest.fixture(params=METHODS)
+    def name(self, request: pytest.FixtureRequest) -> str:
+        return str(request.param)
+
+    @staticmethod
+    def check(found: Allocation, tasks: list[TaskAnnounce]) -> None:
+        given_away = [task_id for route in found.routes.values() for task_id in route]
+        assert sorted(given_away + found.left) == sorted(task.task_id for task in tasks)
+
+    def test_every_task_is_given_away_once_or_left(self, name: str) -> None:
+        for robots, count in [(1, 1), (4, 3), (3, 12), (2, 0)]:
+            team, tasks = instance(robots, count, robots)
+            found = allocate(team, tasks, METHODS[name])
+            self.check(found, tasks)
+            assert len(found.left) == (max(count - robots, 0) if name in ONE_EACH else 0)
+
+    def test_same_instance_same_routes(self, name: str) -> None:
+        one, other = (allocate(*instance(3, 9, 5), METHODS[name]) for _ in range(2))
+        assert one == other
+
+    def test_robots_get_only_what_they_can_do(self, name: str) -> None:
+        team, tasks = instance(3, 9, 2)
+        team["r1"] = (replace(team["r1"][0], skills=("dig",)), team["r1"][1])
+        asked = Requirements(skills=("dig",)).to_json()
+        tasks = [
+            replace(task, requirements=asked) if index % 3 else task
+            for index, task in enumerate(tasks)
+        ]
+        found = allocate(team, tasks, METHODS[name])
+        self.check(found, tasks)
+        digs = {task.task_id for task in tasks if task.requirements}
+        assert not digs & {*found.routes["r0"], *found.routes["r2"]}
+
+    def test_energy_and_deadlines_are_kept(self, name: str) -> None:
+        team, tasks = instance(3, 9, 3)
+        team = {
+            robot: (replace(can, energy_j=120.0, travel_power_w=1.0), place)
+            for robot, (can, place) in team.items()
+        }
+        tasks = [replace(task, deadline_s=80.0) for task in tasks]
+        found = allocate(team, tasks, METHODS[name])
+        self.check(found, tasks)
+        assert found.finish_s <= 80.0
+        for robot, route in found.routes.items():
+            can, place = team[robot]
+            places = [task.place for name in route for task in tasks if task.task_id == name]
+            length_m = sum(map(math.dist, [place, *places], places))
+            assert length_m / can.speed_m_s <= 120.0
+
+    def test_value_leaves_what_cannot_be_done_in_time(self, name: str) -> None:
+        team, tasks = instance(2, 10, 4)
+        tasks = [replace(task, deadline_s=40.0) for task in tasks]
+        found = allocate(team, tasks, METHODS[name], Objective.VALUE)
+        self.check(found, tasks)
+        assert found.value == len(tasks) - len(found.left)
+
+    def test_over_the_network_every_task_is_done_once(self, name: str) -> None:
+        for model in (PERFECT, LOSSY):
+            made = scene(4, model, name)
+            made.run()
+            done = {task_id for _, task_id, _ in made.rehearsal.happened.done}
+            assert done == set(made.watch.tasks)
+
+
+def test_paths_on_a_grid_go_around_walls() -> None:
+    blocked = np.zeros((20, 20), dtype=np.bool_)
+    blocked[10, :15] = True
+    travel = GridPath(blocked, 1.0, (0.0, 0.0))
+    assert travel((1.5, 1.5, 0.0), (5.5, 1.5, 0.0)) == pytest.approx(4.0)
+    around = travel((8.5, 1.5, 0.0), (12.5, 1.5, 0.0))
+    legs = math.dist((8.5, 1.5), (9.5, 15.5)) + math.dist((11.5, 15.5), (12.5, 1.5))
+    assert legs + 2.0 <= around <= 1.1 * (legs + 2.0)
+    blocked[10, :] = True
+    apart = GridPath(blocked, 1.0, (0.0, 0.0))
+    assert apart((8.5, 1.5, 0.0), (12.5, 1.5, 0.0)) == math.inf
+    assert apart((8.5, 1.5, 0.0), (99.0, 1.5, 0.0)) == math.inf
+
+
+def test_tasks_behind_a_wall_go_to_the_robot_on_that_side() -> None:
+    blocked = np.zeros((20, 20), dtype=np.bool_)
+    blocked[10, :] = True
+    team: Robots = {
+        "near": (Capabilities("ground"), (9.5, 5.5, 0.0)),
+        "there": (Capabilities("ground"), (19.5, 19.5, 0.0)),
+    }
+    task = TaskAnnounce(0.0, "t", "", 0, "visit", "", (11.5, 5.5, 0.0))
+    found = allocate(team, [task], METHODS["improved"], travel=GridPath(blocked, 1.0, (0.0, 0.0)))
+    assert found.routes == {"near": [], "there": ["t"]}
