@@ -32,7 +32,7 @@ class Watch:
         self.tasks = {task.task_id: task for task in tasks}
         self._epochs: dict[str, int] = {}
         self._managers: dict[int, str] = {}
-        self._rounds: dict[tuple[str, str], int] = {}
+        self._versions: dict[tuple[str, str], tuple[int, int]] = {}
         self._done: dict[str, set[str]] = {}
         self._seen_begun = 0
         self._records: dict[tuple[str, str], tuple[int, int, dict[str, State]]] = {}
@@ -113,7 +113,7 @@ class Watch:
         self._done.pop(name, None)
         self._records = {key: value for key, value in self._records.items() if key[0] != name}
         self.listen(self.rehearsal.members[name])
-        self._rounds = {key: value for key, value in self._rounds.items() if key[0] != name}
+        self._versions = {key: value for key, value in self._versions.items() if key[0] != name}
 
     def check(self) -> None:
         for name, member in self.rehearsal.members.items():
@@ -137,9 +137,9 @@ class Watch:
             raise BrokenError(f"{name} forgot that a task is done")
         self._done[name] = done
         for task_id, record in follower.book.records.items():
-            if record.round < self._rounds.get((name, task_id), 0):
-                raise BrokenError(f"{name} went back to round {record.round} of {task_id}")
-            self._rounds[name, task_id] = record.round
+            if record.version < self._versions.get((name, task_id), (0, 0)):
+                raise BrokenError(f"{name} went back to {record.version} of {task_id}")
+            self._versions[name, task_id] = record.version
 
     def _check_holdings(self, member: Member) -> None:
         robot, now_s = member.robot, self.rehearsal.channel.now()

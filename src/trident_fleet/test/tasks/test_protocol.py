@@ -12,6 +12,8 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, pr
 from invariants import BrokenError
 from scenes import LOSSY, SHUFFLED, STEP_S, Scene, hard_day, scene
 from trident_fleet.core.network import LinkModel
+from trident_fleet.core.tasks.book import Book
+from trident_fleet.core.tasks.messages import State, TaskAnnounce, TaskState
 from trident_fleet.core.tasks.protocol import Guards
 
 
@@ -43,6 +45,18 @@ def test_hard_days_end_with_each_task_done_or_a_reason(seeds: range) -> None:
         done = {task_id for _, task_id, _ in made.rehearsal.happened.done}
         for task_id in manager.follower.book.records:
             assert task_id in done or task_id in manager.manager.ledger.reasons
+
+
+def test_a_manager_that_was_cut_off_cannot_free_what_a_newer_one_has_permitted() -> None:
+    task = TaskAnnounce(0.0, "t", "old", 7, "visit", "", (0.0, 0.0, 0.0))
+    permitted = TaskState(task, State.ACTIVE, "r", 7, 11, 9.0)
+    freed = TaskState(task, State.WITHDRAWN, "", 8, 5, 0.0)
+    for order in ([permitted, freed], [freed, permitted], [freed, permitted, freed]):
+        book = Book()
+        for state in order:
+            book.join([state])
+        assert list(book.records["t"].holders) == ["r"]
+        assert book.records["t"].version == (11, 7)
 
 
 def test_same_seed_same_day() -> None:

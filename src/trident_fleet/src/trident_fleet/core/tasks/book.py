@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a member knows of all tasks.
 
-Records only grow: the greater round is the newer one, within a round a task goes from free to
-awarded, active, and given up, and what is done stays done. So it does not matter in which order
+Records only grow: the greater epoch and round is the newer one, within a round a task goes from free
+to awarded, active, and given up, and what is done stays done. So it does not matter in which order
 and how often the news comes, and what two members know can be joined.
 """
 
@@ -35,6 +35,8 @@ class Record:
     Attributes:
         task: as announced last, or entered.
         round: the newest.
+        epoch: of the last manager that vouched for this while more than half of the members
+            followed it; its word is newer than any round of an earlier one.
         holders: who won that round.
         given_up: nobody will do it.
         done_by: who has done it; empty: it is not done.
@@ -42,6 +44,7 @@ class Record:
 
     task: TaskAnnounce
     round: int = 0
+    epoch: int = 0
     holders: dict[str, Holder] = field(default_factory=dict)
     given_up: bool = False
     done_by: tuple[str, ...] = ()
@@ -60,9 +63,14 @@ class Record:
         """A round newer than all that are known, of this epoch's manager."""
         return max(self.round + 1, round_of(epoch, 1))
 
-    def states(self, epoch: int) -> list[TaskState]:
+    @property
+    def version(self) -> tuple[int, int]:
+        """Of two records of a task, the greater one is the newer one."""
+        return self.epoch, self.round
+
+    def states(self) -> list[TaskState]:
         """As a table has it."""
-        task = self.task
+        task, epoch = self.task, self.epoch
         if self.done_by:
             return [
                 TaskState(task, State.DONE, name, self.round, epoch, 0.0) for name in self.done_by
@@ -105,10 +113,11 @@ class Book:
         done_by = tuple(state.robot_id for state in states if state.state is State.DONE)
         if len(done_by) == len(states):
             record.done_by = record.done_by or done_by
-        if record.done_by or first.round < record.round:
+        if record.done_by or (first.epoch, first.round) < record.version:
             return
-        if first.round > record.round:
-            record.round, record.holders, record.given_up = first.round, {}, False
+        if (first.epoch, first.round) > record.version:
+            record.epoch, record.round = first.epoch, first.round
+            record.holders, record.given_up = {}, False
             record.task = first.task
         record.given_up |= first.state is State.FAILED
         for state in states:
@@ -121,28 +130,27 @@ class Book:
         holder.state = State(max(holder.state, state.state))
         holder.lease_until_s = max(holder.lease_until_s, state.lease_until_s)
 
-    def table(self, epoch: int) -> tuple[TaskState, ...]:
+    def table(self) -> tuple[TaskState, ...]:
         """All of it."""
-        return tuple(state for record in self.records.values() for state in record.states(epoch))
+        return tuple(state for record in self.records.values() for state in record.states())
 
     def echo(
-        self, epoch: int, robot: str, leases: dict[str, float], rounds: dict[str, int]
+        self, robot: str, leases: dict[str, float], shown: dict[str, tuple[int, int]]
     ) -> tuple[TaskState, ...]:
         """What a member says that it knows, apart from what is free as far as the manager knows.
 
         Its own tasks have the lease until which it claims them, 0 if it does not.
 
         Args:
-            epoch: of the manager that it follows.
             robot: its name.
             leases: of the tasks that it has [s].
-            rounds: that the manager's table has shown.
+            shown: versions that the manager's table has shown.
         """
         return tuple(
             replace(state, lease_until_s=leases.get(state.task.task_id, 0.0))
             if state.robot_id == robot
             else state
             for record in self.records.values()
-            if not record.free or record.round > rounds.get(record.task.task_id, 0)
-            for state in record.states(epoch)
+            if not record.free or record.version > shown.get(record.task.task_id, (0, 0))
+            for state in record.states()
         )

@@ -35,7 +35,7 @@ class Follower:
         self.book = Book()
         self.epoch, self.manager, self.seen_epoch = 0, NOBODY, 0
         self.heard_s, self.vouches = now_s, not restarted
-        self.rounds: dict[str, int] = {}
+        self.shown: dict[str, tuple[int, int]] = {}
         self.problems: Counter[str] = Counter()
 
     def hear(self, source: str, table: TaskTable, now_s: float) -> bool:
@@ -59,7 +59,7 @@ class Follower:
             )
             return False
         self.heard_s = now_s
-        self.rounds = {state.task.task_id: state.round for state in table.tasks}
+        self.shown = {state.task.task_id: (state.epoch, state.round) for state in table.tasks}
         self.book.join(table.tasks)
         return True
 

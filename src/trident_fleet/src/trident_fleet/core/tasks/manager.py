@@ -128,8 +128,11 @@ class Manager:
 
     def _table(self, now_s: float) -> list[Sent]:
         self._next_table_s = now_s + self.times.digest_s
-        epoch = self.follower.epoch
-        return [Sent(TaskTable(now_s, self.name, epoch, self.follower.book.table(epoch)))]
+        follower = self.follower
+        if self.ledger.quorum(self._followers):
+            for record in follower.book.records.values():
+                record.epoch = follower.epoch
+        return [Sent(TaskTable(now_s, self.name, follower.epoch, follower.book.table()))]
 
     def _on_table(self, source: str, table: TaskTable, now_s: float) -> list[Sent]:
         follower = self.follower
@@ -157,7 +160,7 @@ class Manager:
             record = book.records[state.task.task_id]
             if state.robot_id == NOBODY or not self.guards.same_round(state.round, record.round):
                 continue
-            if vouches:
+            if vouches and state.epoch == self.follower.epoch:
                 self.ledger.known_by[state.task.task_id, state.round].add(source)
             holder = record.holders.get(source)
             if state.robot_id == source and holder is not None and state.lease_until_s > 0.0:

@@ -90,7 +90,7 @@ class Robot:
             self._next_table_s = now_s + self.times.digest_s
             follower = self.follower
             leases = {name: held.lease_until_s for name, held in self.holdings.items()}
-            tasks = follower.book.echo(follower.epoch, self.name, leases, follower.rounds)
+            tasks = follower.book.echo(self.name, leases, follower.shown)
             manager = follower.manager if follower.vouches else NOBODY
             sent.append(Sent(TaskTable(now_s, manager, follower.epoch, tasks)))
         return sent
@@ -226,7 +226,7 @@ class Robot:
         records = self.follower.book.records
         for task_id, held in list(self.holdings.items()):
             record = records[task_id]
-            if record.done_by or record.given_up or record.round > held.round:
+            if record.done_by or record.given_up or record.round != held.round:
                 self._drop(task_id)
                 continue
             if self.guards.lease_holds(now_s, held.lease_until_s):
