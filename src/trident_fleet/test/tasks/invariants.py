@@ -35,6 +35,7 @@ class Watch:
         self._versions: dict[tuple[str, str], tuple[int, int]] = {}
         self._done: dict[str, set[str]] = {}
         self._seen_begun = 0
+        self._permitted: set[tuple[str, str, int]] = set()
         self._records: dict[tuple[str, str], tuple[int, int, dict[str, State]]] = {}
         for member in rehearsal.members.values():
             self.listen(member)
@@ -90,7 +91,8 @@ class Watch:
             on_duty = member.manager is not None and member.manager.on_duty
             if before is None or not on_duty or before[1] != now[1] or before[0] == now[0]:
                 continue
-            if epoch_of(before[0]) == now[1] and record.task.robots_needed == 1:
+            own = epoch_of(before[0]) == epoch_of(now[0]) == now[1]
+            if own and record.task.robots_needed == 1:
                 for name, state in before[2].items():
                     self._check_left(name, record.task, before[0], state)
 
@@ -140,6 +142,9 @@ class Watch:
             if record.version < self._versions.get((name, task_id), (0, 0)):
                 raise BrokenError(f"{name} went back to {record.version} of {task_id}")
             self._versions[name, task_id] = record.version
+            active = [one for one in record.holders.values() if one.state >= State.ACTIVE]
+            if len(active) >= record.task.robots_needed:
+                self._permitted.add((name, task_id, record.round))
 
     def _check_holdings(self, member: Member) -> None:
         robot, now_s = member.robot, self.rehearsal.channel.now()
@@ -186,9 +191,9 @@ class Watch:
                 raise BrokenError(f"{name} began {task.task_id} before {before} was done")
         if not needs_permission(task):
             return
-        knows = self.rehearsal.members[name].follower.book.records[task.task_id]
-        active = [holder for holder in knows.holders.values() if holder.state >= State.ACTIVE]
-        if not knows.done_by and len(active) < task.robots_needed:
+        robot = self.rehearsal.members[name].robot
+        held = robot.holdings.get(task.task_id) if robot is not None else None
+        if held is not None and (name, task.task_id, held.round) not in self._permitted:
             raise BrokenError(f"{name} began {task.task_id} at {now_s} s without permission")
         there = 0
         for member in self.rehearsal.members.values():

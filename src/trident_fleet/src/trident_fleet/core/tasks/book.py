@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a member knows of all tasks.
 
-Records only grow: the greater epoch and round is the newer one, within a round a task goes from free
-to awarded, active, and given up, and what is done stays done. So it does not matter in which order
-and how often the news comes, and what two members know can be joined.
+Records only grow: the greater epoch and round is the newer one, within a round a task goes from
+free to awarded, active, and given up, and what is done stays done. So it does not matter in which
+order and how often the news comes, and what two members know can be joined.
 """
 
 from __future__ import annotations

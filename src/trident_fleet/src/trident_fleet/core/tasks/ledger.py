@@ -106,7 +106,9 @@ class Ledger:
             if record.done_by or record.given_up or not record.holders:
                 continue
             asked = [
-                name for name in record.holders if (task_id, record.round, name) in self._asked
+                name
+                for name, holder in record.holders.items()
+                if holder.state is State.DONE or (task_id, record.round, name) in self._asked
             ]
             known_by = self.known_by[task_id, record.round] | {self.follower.name}
             safe = record.task.repeatable or self.quorum(known_by)

@@ -12,6 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from trident_fleet.core.tasks.bidder import Bidder
+from trident_fleet.core.tasks.book import Record
 from trident_fleet.core.tasks.follower import Follower
 from trident_fleet.core.tasks.messages import (
     NOBODY,
@@ -23,6 +24,7 @@ from trident_fleet.core.tasks.messages import (
     TaskProgress,
     TaskState,
     TaskTable,
+    epoch_of,
 )
 from trident_fleet.core.tasks.methods.base import Method
 from trident_fleet.core.tasks.plan import Job, Plan
@@ -37,6 +39,7 @@ class Holding:
         job: it.
         round: in which it was won.
         lease_until_s: it is the robot's no longer [s].
+        seen: version of the record when it was won.
         asked: the robot would begin.
         granted: the manager has said that it may.
         begun: it works on it.
@@ -45,6 +48,7 @@ class Holding:
     job: Job
     round: int
     lease_until_s: float
+    seen: tuple[int, int]
     asked: bool = False
     granted: bool = False
     begun: bool = False
@@ -172,11 +176,9 @@ class Robot:
         if insertion is None or not self.guards.can(self.plan.lacks(job)):
             return "does not fit the plan any more"
         self.plan.insert(job, insertion.index)
-        self.holdings[task_id] = Holding(job, auction, lease_until_s)
+        seen = record.version if record is not None else (0, 0)
+        self.holdings[task_id] = Holding(job, auction, lease_until_s, seen)
         self._bidder.won(task_id)
-        epoch = self.follower.epoch
-        mine = TaskState(job.task, State.AWARDED, self.name, auction, epoch, lease_until_s)
-        self.follower.book.join([mine])
         return ""
 
     def _on_table(self, table: TaskTable, now_s: float) -> list[Sent]:
@@ -225,8 +227,8 @@ class Robot:
     def _drop_what_is_over(self, now_s: float) -> None:
         records = self.follower.book.records
         for task_id, held in list(self.holdings.items()):
-            record = records[task_id]
-            if record.done_by or record.given_up or record.round != held.round:
+            record = records.get(task_id)
+            if record is not None and self._is_over(held, record):
                 self._drop(task_id)
                 continue
             if self.guards.lease_holds(now_s, held.lease_until_s):
@@ -235,6 +237,14 @@ class Robot:
                 now_s, task_id, held.round, self.name, 0.0, 0.0, State.WITHDRAWN, "lease ended"
             )
             self._drop(task_id)
+
+    @staticmethod
+    def _is_over(held: Holding, record: Record) -> bool:
+        """Whether what is known of a task says that it is another robot's, or nobody's."""
+        if record.done_by or (record.given_up and record.version > held.seen):
+            return True
+        late = epoch_of(record.round) == epoch_of(held.round) and record.round < held.round
+        return record.round != held.round and record.version > held.seen and not late
 
     def _reports(self, now_s: float) -> list[TaskProgress]:
         """What the manager's table does not show yet."""
