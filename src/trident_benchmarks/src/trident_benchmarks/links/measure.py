@@ -134,7 +134,7 @@ def _rows(suites: Sequence[str], is_quick: bool) -> Iterator[dict[str, Any]]:
             yield load_row(load, 5.0 if is_quick else 20.0)
     if "silence" in suites:
         for vehicles in (1, 6):
-            seconds = (10.0 if is_quick else 60.0) / vehicles
+            seconds = (60.0 if is_quick else 1200.0) / vehicles
             yield silence_row(vehicles, seconds, 5 if is_quick else 21)
     if "station" in suites:
         for seed in range(1, (2 if is_quick else _COASTS) + 1):

@@ -41,6 +41,8 @@ class RadioMedium : public Radio, private LinkLosses {
   void state(StateArchive& archive);
 
   std::vector<std::string> names() override;
+  /// Whether there are radios, or were when it looked last.
+  bool has_radios() const { return !numbers_.empty() || !present_ends().empty(); }
   bool send(const std::string& source, const std::string& destination, std::string data,
             const RadioQos& qos) override;
   std::vector<RadioMessage> receive(const std::string& name, int port) override;

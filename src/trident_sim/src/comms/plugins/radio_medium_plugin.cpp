@@ -52,17 +52,22 @@ class RadioMediumPlugin : public Plugin {
     radio_->value.services = relay_;
   }
 
-  std::vector<Phase> phases() const override { return {Phase::kSense, Phase::kPost}; }
+  std::vector<Phase> phases() const override {
+    if (relay_ != nullptr) return {Phase::kSense, Phase::kPost};
+    // A world is asked again when models come or go.
+    if (!medium_->has_radios()) return {};
+    return {Phase::kPost};
+  }
   void models_changed() override {
     if (relay_ != nullptr) relay_->set_robots(medium_->names());
   }
   void pre_step(Phase, World&, const StepInfo& info) override {
-    if (relay_ != nullptr) relay_->send(info.begin, *medium_);
+    relay_->send(info.begin, *medium_);
   }
   void post_step(const World&, const StepInfo& info) override {
     medium_->step(info);
     if (relay_ != nullptr) relay_->receive(info.end, *medium_);
-    if (!clock_.is_due(info) || !links_->wanted()) return;
+    if (!links_->wanted() || !clock_.is_due(info)) return;
     reporter_.report(medium_->links(""), relay_.get(), info.end, &links_->value);
     links_->publish();
   }
