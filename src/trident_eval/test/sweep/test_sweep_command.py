@@ -129,7 +129,7 @@ def test_what_was_done_stays_when_the_command_is_ended(tmp_path: Path, number: i
     assert [{**row, "key": "", "parameter.sleep_s": ""} for row in ended] == [
         {**row, "key": "", "parameter.sleep_s": ""} for row in table(undisturbed / "study_sweep")
     ]
-    # A run that was running may have begun twice; one that has a row has not.
+    # A run that was at work, or wrote its row, may have begun twice; one that has a row has not.
     calls = Counter((folder / "calls.txt").read_text().splitlines())
     assert len(calls) == 48
     assert sum(calls.values()) <= 48 + 3 * 2

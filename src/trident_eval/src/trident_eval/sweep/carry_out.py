@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import importlib
 import os
@@ -26,6 +27,7 @@ from trident_eval.sweep.launches import LAUNCH, run_launch
 OUTPUT = "output.txt"
 CANNOT_WRITE = 74  # exit code of a run whose row cannot be written (EX_IOERR)
 _PR_SET_PDEATHSIG = 1
+_LIBC = ctypes.CDLL(None, use_errno=True)
 
 Function = Callable[[Mapping[str, Any], int, Path], Mapping[str, float]]
 
@@ -55,15 +57,25 @@ def load_function(subject: str) -> Function:
     return found
 
 
-def carry_out(job: Job, folder: Path) -> None:
-    """Carries a job out, writes its row, and ends this process."""
+def carry_out(job: Job, folder: Path, gate: socket.socket) -> None:
+    """Carries a job out, writes its row, and ends this process.
+
+    Args:
+        job: the run.
+        folder: of the sweep.
+        gate: a byte comes when the run may begin; shut down when it is over.
+    """
     _ends_with_parent()
     here = run_folder(folder, job.key)
     try:
         here.mkdir(parents=True, exist_ok=True)
         _redirect_output(here / OUTPUT)
+        if not gate.recv(1):
+            os._exit(0)  # nobody wants it any more
         _limit_memory(job.memory_mb)
         row = _row_of(job, here)
+        with contextlib.suppress(OSError):
+            gate.shutdown(socket.SHUT_RDWR)  # whoever else has inherited it
         sys.stdout.flush()
         sys.stderr.flush()
         _remove_if_empty(here)
@@ -128,7 +140,7 @@ def _first_line(error: Exception) -> str:
 
 def _ends_with_parent() -> None:
     os.setpgid(0, 0)
-    ctypes.CDLL(None, use_errno=True).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+    _LIBC.prctl(_PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 

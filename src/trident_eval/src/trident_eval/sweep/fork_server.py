@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """A process that has the modules of a sweep loaded, and forks one process for each run.
 
-A fork costs milliseconds, a Python with numpy a tenth of a second. It is single-threaded, ends with
-the one that has started it, and takes its runs along.
+A fork costs milliseconds, a Python with numpy a tenth of a second. The processes of the next runs
+are made ahead, and wait at a gate; one passes when a run before it is over, while that still writes
+its row. The server is single-threaded, ends with the one that has started it, and takes its runs
+along.
 """
 
 from __future__ import annotations
 
+import contextlib
 import os
 import selectors
 import signal
@@ -36,20 +39,27 @@ ATTEMPTS = 4
 
 @dataclass
 class _Running:
+    """A process. `gate` is open from its making to the end of its function; None: that is over."""
+
     job: Job
     pid: int
     pidfd: int
+    gate: socket.socket | None
     started: str
-    begin: float
     attempt: int
+    begin: float | None = None  # when it passed the gate
     is_late: bool = False
+
+    @property
+    def is_at_work(self) -> bool:
+        return self.begin is not None and self.gate is not None
 
 
 class ForkServer:
     """Carries out what comes over the channel, in its order, until it closes."""
 
     def __init__(self, channel: Channel, folder: Path, workers: int) -> None:
-        """Rows go to the folder of the sweep; so many workers are at work at a time."""
+        """Rows go to the folder of the sweep; so many runs are at work at a time."""
         self._channel, self._folder, self._workers = channel, folder, workers
         self._waiting: deque[tuple[Job, int]] = deque()  # each with the number of its attempt
         self._selector = selectors.DefaultSelector()
@@ -60,13 +70,18 @@ class ForkServer:
         """Works until the other end closes; ends all runs then."""
         while not self._channel.closed:
             for key, _ in self._selector.select(self._until_next_limit_s()):
-                if key.fileobj is self._channel:
+                run: _Running | None = key.data
+                if run is None:
                     self._take_messages()
-                elif key.fd in self._running:
-                    self._take_ended(self._running[key.fd])
+                elif key.fd == run.pidfd and key.fd in self._running:
+                    self._take_ended(run)
+                elif key.fileobj is run.gate:
+                    self._close_gate(run)
+                self._let_begin()
             self._end_late()
-            while self._waiting and len(self._running) < self._workers:
+            while self._waiting and len(self._running) < 2 * self._workers:
                 self._start(*self._waiting.popleft())
+            self._let_begin()
         self._end_all()
 
     def _take_messages(self) -> None:
@@ -78,14 +93,36 @@ class ForkServer:
                 self._waiting.append((Job.from_json(message["job"]), 1))
 
     def _start(self, job: Job, attempt: int) -> None:
-        started, begin = now_text(), time.monotonic()
+        ours, theirs = socket.socketpair()
         pid = os.fork()
         if pid == 0:
             self._channel.close()
-            carry_out(job, self._folder)
+            ours.close()
+            carry_out(job, self._folder, theirs)
+        theirs.close()
         pidfd = os.pidfd_open(pid)
-        self._running[pidfd] = _Running(job, pid, pidfd, started, begin, attempt)
-        self._selector.register(pidfd, selectors.EVENT_READ)
+        run = _Running(job, pid, pidfd, ours, now_text(), attempt)
+        self._running[pidfd] = run
+        self._selector.register(pidfd, selectors.EVENT_READ, run)
+        self._selector.register(ours, selectors.EVENT_READ, run)
+
+    def _let_begin(self) -> None:
+        """The oldest ones pass their gates, as long as there is room."""
+        room = self._workers - sum(run.is_at_work for run in self._running.values())
+        for run in self._running.values():
+            if room <= 0:
+                return
+            if run.begin is None and run.gate is not None:
+                run.started, run.begin = now_text(), time.monotonic()
+                with contextlib.suppress(OSError):  # its process has ended; that is seen elsewhere
+                    run.gate.send(b"!")
+                room -= 1
+
+    def _close_gate(self, run: _Running) -> None:
+        if run.gate is not None:
+            self._selector.unregister(run.gate)
+            run.gate.close()
+            run.gate = None
 
     def _take_ended(self, run: _Running) -> None:
         status = os.waitstatus_to_exitcode(self._forget(run))
@@ -101,7 +138,7 @@ class ForkServer:
         self._write_failed(run, _reason(run, status))
 
     def _write_failed(self, run: _Running, reason: str) -> None:
-        elapsed_s = round(time.monotonic() - run.begin, 6)
+        elapsed_s = 0.0 if run.begin is None else round(time.monotonic() - run.begin, 6)
         try:
             write_row(self._folder, failed_row(run.job, reason, run.started, elapsed_s))
             self._channel.send({"done": run.job.key})
@@ -115,19 +152,24 @@ class ForkServer:
         """Takes a process' end in, with all that it has started; returns its wait status."""
         _kill_group(run.pid)
         _, status = os.waitpid(run.pid, 0)
+        self._close_gate(run)
         self._selector.unregister(run.pidfd)
         os.close(run.pidfd)
         del self._running[run.pidfd]
         return status
 
     def _until_next_limit_s(self) -> float | None:
-        limits = [run.begin + run.job.time_s for run in self._running.values() if not run.is_late]
+        limits = [
+            run.begin + run.job.time_s
+            for run in self._running.values()
+            if run.begin is not None and not run.is_late
+        ]
         return max(0.0, min(limits) - time.monotonic()) if limits else None
 
     def _end_late(self) -> None:
         now = time.monotonic()
         for run in self._running.values():
-            if not run.is_late and now >= run.begin + run.job.time_s:
+            if run.begin is not None and not run.is_late and now >= run.begin + run.job.time_s:
                 run.is_late = True
                 _kill_group(run.pid)
 

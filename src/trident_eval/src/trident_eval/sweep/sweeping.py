@@ -24,7 +24,7 @@ from trident_eval.sweep.engine import Engine
 from trident_eval.sweep.progress import Progress
 
 _WAIT_S = 0.5
-_AHEAD = 2  # runs handed over for each worker: it has the next one at hand when one ends
+_AHEAD = 3  # runs handed over for each worker: one at work, one made ahead, one that writes
 
 
 @dataclass
