@@ -75,7 +75,7 @@ def carry_out(job: Job, folder: Path, gate: socket.socket) -> None:
         _limit_memory(job.memory_mb)
         row = _row_of(job, here)
         with contextlib.suppress(OSError):
-            gate.shutdown(socket.SHUT_RDWR)  # whoever else has inherited it
+            gate.shutdown(socket.SHUT_RDWR)  # a child of the run may have it, too
         sys.stdout.flush()
         sys.stderr.flush()
         _remove_if_empty(here)
