@@ -117,7 +117,7 @@ def test_a_base_station_flies_between_its_robots_and_its_runs_repeat(
         "hold",
     ]
     x, y, z = record["phases"][-1]["goal"]
-    assert abs(x) < 25.0
+    assert abs(x) < 30.0  # nearer to the middle than its home
     assert abs(y) <= 19.0
     assert 9.0 <= z <= 13.0
     values = {pair.key: pair.value for pair in states[-1].values}
