@@ -130,22 +130,21 @@ MissionItem home_item(const GeoPlace& home) {
 MissionVerdict read_fence(const Mission& list, const PlaceContext& context,
                           std::vector<Fence::Region>& regions) {
   for (std::size_t i = 0; i < list.size();) {
+    // A breach holds, returns home or lands: there is no other place to return to.
+    if (is_no_circle(list[i]) || list[i].command == MAV_CMD_NAV_FENCE_RETURN_POINT) {
+      ++i;
+      continue;
+    }
     Fence::Region region;
     if (is_corner(list[i].command)) {
       MissionVerdict verdict = read_polygon(list, i, context, region);
       if (!verdict.is_accepted()) return verdict;
       i += region.corners_m.size();
-    } else if (is_no_circle(list[i])) {
-      ++i;
-      continue;
     } else if (is_circle(list[i].command)) {
       region.is_inclusion = list[i].command == MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION;
       region.center_m = flat_place(list[i], context);
       region.radius_m = list[i].params[0];
       ++i;
-    } else if (list[i].command == MAV_CMD_NAV_FENCE_RETURN_POINT) {
-      ++i;
-      continue;  // A breach holds, returns home or lands: there is no other place to return to.
     } else {
       return refuse_item(i, MissionResult::kUnsupported,
                          "command " + std::to_string(list[i].command) + ", legal: 5000 to 5004");
