@@ -23,8 +23,9 @@ def _needed(*nodes: tuple[str, str], found: tuple[str, ...] = ()) -> set[str] | 
 def test_the_simulator_comes_with_its_plugins_and_without_slam() -> None:
     needed = _needed(("gazebo_ros", "worlds/a.world"), ("rviz", ""))
     assert needed is not None
-    assert {"gazebo_ros", "trident_sim_ros", "trident_control", "trident_base"} <= needed
-    assert not {"trident_slam", "trident_estimation", "slam_toolbox", "trident_sim_py"} & needed
+    assert {"gazebo_ros", "trident_sim_ros", "trident_base"} <= needed
+    others = {"trident_slam", "trident_estimation", "slam_toolbox", "trident_sim_py"}
+    assert not (others | {"trident_bridges", "mavros_msgs"}) & needed
 
 
 def test_the_package_of_a_node_comes_with_all_that_it_runs_with() -> None:
@@ -61,8 +62,17 @@ def test_whatever_may_start_anything_needs_everything(package: str) -> None:
 
 
 def test_targets_are_the_folders_of_packages() -> None:
-    targets = targets_of({"gazebo_ros", "trident_sim"}, PACKAGES)
-    assert targets == ["src/compat/gazebo_ros/all", "src/trident_sim/all"]
+    targets = targets_of({"gazebo_ros", "trident_base"}, PACKAGES)
+    assert targets == ["src/compat/gazebo_ros/all", "src/trident_base/all"]
+
+
+def test_of_a_package_that_is_not_needed_the_simulator_brings_its_plugins() -> None:
+    targets = targets_of({"trident_sim", "trident_control"}, PACKAGES)
+    assert targets == [
+        "src/trident_bridges/sim_plugin/all",
+        "src/trident_control/all",
+        "src/trident_sim/all",
+    ]
 
 
 def test_what_a_package_runs_with_and_is_compiled_against_are_distinguished(
@@ -74,7 +84,11 @@ def test_what_a_package_runs_with_and_is_compiled_against_are_distinguished(
         "<package><name>a</name><depend>b</depend><exec_depend>c</exec_depend>"
         "<build_depend>d</build_depend><test_depend>e</test_depend></package>"
     )
-    expected = Package(Path("src/a"), frozenset({"b", "c"}), frozenset({"b", "d"}))
+    runs_with, builds_with = frozenset({"b", "c"}), frozenset({"b", "d"})
+    assert read_packages(clone) == {"a": Package(Path("src/a"), runs_with, builds_with)}
+    (folder / "sim_plugin").mkdir()
+    (folder / "sim_plugin" / "CMakeLists.txt").touch()
+    expected = Package(Path("src/a"), runs_with, builds_with, Path("src/a/sim_plugin"))
     assert read_packages(clone) == {"a": expected}
 
 

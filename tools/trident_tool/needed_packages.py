@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -22,6 +22,8 @@ _OF_THE_TOOL = ("trident_fleet", "trident_msgs")
 _SIMULATOR = "trident_sim"
 #: Compiled against it and no plugins: the simulator as a module of Python, and programs of benches.
 _NO_PLUGINS = frozenset({"trident_sim_py", "trident_benchmarks"})
+#: Folder of a package with its plugins of the simulator, when it has more than these.
+_PLUGIN_FOLDER = "sim_plugin"
 #: Their nodes start launch files of their own.
 _START_OTHERS = frozenset(
     {"trident_benchmarks", "trident_eval", "trident_testing", "trident_viewer"}
@@ -37,6 +39,7 @@ class Package:
 
     Attributes:
         folder: of its package.xml, relative to the workspace.
+        plugin_folder: of its plugins of the simulator, where these are apart from its nodes.
         runs_with: packages that it needs when it runs.
         builds_with: packages that it is compiled against.
     """
@@ -44,6 +47,7 @@ class Package:
     folder: Path
     runs_with: frozenset[str]
     builds_with: frozenset[str]
+    plugin_folder: Path | None = None
 
 
 def read_packages(workspace: Workspace) -> dict[str, Package]:
@@ -55,8 +59,13 @@ def read_packages(workspace: Workspace) -> dict[str, Package]:
     found = {}
     for manifest in package_manifests(workspace):
         root = ElementTree.parse(manifest).getroot()
+        folder = manifest.parent.relative_to(workspace.root)
+        plugins = folder / _PLUGIN_FOLDER
         found[(root.findtext("name") or "").strip()] = Package(
-            manifest.parent.relative_to(workspace.root), _named(root, _RUN), _named(root, _BUILD)
+            folder,
+            _named(root, _RUN),
+            _named(root, _BUILD),
+            plugins if (workspace.root / plugins / "CMakeLists.txt").is_file() else None,
         )
     return found
 
@@ -77,6 +86,9 @@ def needed_packages(
         facts: of the launch file, as load_launch.py prints them.
         packages: of the workspace.
         has_installed: whether a package is one of the distribution, which needs none of ours.
+
+    Returns:
+        Without packages of which it needs no more than the plugins of the simulator.
     """
     started = {node["package"] for node in facts["nodes"]}
     known = (name in packages or has_installed(name) for name in started)
@@ -87,7 +99,8 @@ def needed_packages(
     if needed & _START_OTHERS:
         return None
     if _SIMULATOR in needed:
-        needed |= _with_all_they_run_with(_plugin_packages(packages), packages)
+        whole = {name for name in _plugin_packages(packages) if not packages[name].plugin_folder}
+        needed |= _with_all_they_run_with(whole, packages)
     return needed | (set(facts["found"]) & set(packages))
 
 
@@ -116,9 +129,16 @@ def _with_all_they_run_with(names: set[str], packages: Mapping[str, Package]) ->
     return found
 
 
-def targets_of(names: Iterable[str], packages: Mapping[str, Package]) -> list[str]:
-    """Targets of ninja that build packages, with what these are compiled against."""
-    return [f"{packages[name].folder}/all" for name in sorted(names)]
+def targets_of(names: Collection[str], packages: Mapping[str, Package]) -> list[str]:
+    """Targets of ninja that build packages, with what these are compiled against.
+
+    With the simulator come all its plugins, those of packages that are not needed otherwise, too.
+    """
+    folders = [packages[name].folder for name in names]
+    if _SIMULATOR in names:
+        others = (packages[name].plugin_folder for name in _plugin_packages(packages) - set(names))
+        folders += [folder for folder in others if folder]
+    return [f"{folder}/all" for folder in sorted(folders)]
 
 
 def is_installed(name: str) -> bool:
