@@ -1,5 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -153,3 +154,31 @@ def test_a_configuration_that_is_no_text_is_refused(clone: Workspace, tmp_path: 
     binary.write_bytes(bytes(range(256)))
     with pytest.raises(TridentError, match=r"binary\.rviz: .*legal: an rviz configuration"):
         pick_config(clone, str(binary))
+
+
+def test_a_clock_of_progress_stands_while_the_program_waits_for_a_core(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    wall_s = iter([10.0, 12.0, 15.0, 16.0])
+    waited = iter([{7: 1.0}, {7: 1.5, 8: 0.1}, {7: 1.5, 8: 2.1}, {8: 9.0}])
+    monkeypatch.setattr(screenshot, "waited_s", lambda _pid: next(waited))
+    clock = screenshot.ProgressClock(7, lambda: next(wall_s))
+    assert clock.now_s() == pytest.approx(2.0 - 0.5)
+    assert clock.now_s() == pytest.approx(1.5 + 3.0 - 2.0)
+    assert clock.now_s() == pytest.approx(2.5)  # never back
+
+
+def test_the_waiting_of_a_program_is_that_of_all_its_processes() -> None:
+    command = ["sh", "-c", "cat; true"]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as shell:
+        assert shell.stdin is not None
+        assert shell.stdout is not None
+        shell.stdin.write(b"there\n")
+        shell.stdin.flush()
+        assert shell.stdout.readline() == b"there\n"  # by cat
+        waited = screenshot.waited_s(shell.pid)
+        assert len(waited) == 2
+        assert shell.pid in waited
+        assert min(waited.values()) >= 0.0
+        shell.stdin.close()
+    assert screenshot.waited_s(shell.pid) == {}

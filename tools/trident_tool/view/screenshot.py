@@ -20,8 +20,9 @@ from trident_tool.view.framebuffer import Image, read_xwd, write_png
 from trident_tool.workspace import TridentError
 
 _POLL_S = 0.5
-_SETTLED_POLLS = 4  # equal pictures in a row before one is kept
-_MIN_WALL_S = 8.0  # rviz paints an empty scene first and adds displays as their messages come
+# Of a ProgressClock, so that a picture on a busy machine is of as much as on an idle one.
+_SETTLED_S = 2.0  # without a change before a picture is kept
+_MIN_S = 8.0  # rviz paints an empty scene first and adds displays as their messages come
 _TIMEOUT_S = 60.0
 _LARGEST = 8192
 
@@ -53,6 +54,39 @@ class Size:
         if found is None or not all(100 <= int(side) <= _LARGEST for side in found.groups()):
             raise ValueError(f"{text!r}; legal: WIDTHxHEIGHT, each 100 to {_LARGEST}")
         return Size(int(found[1]), int(found[2]))
+
+
+class ProgressClock:
+    """The time for which a program could run: without that in which it waited for a core.
+
+    Where Linux does not count the waiting (/proc/PID/schedstat) it is the wall's.
+    """
+
+    def __init__(self, pid: int, monotonic: Callable[[], float] = time.monotonic) -> None:
+        """Begins at zero; the program is the process with this id, and all below it."""
+        self._pid, self._monotonic = pid, monotonic
+        self._last_s, self._now_s = monotonic(), 0.0
+        self._waited = waited_s(pid)
+
+    def now_s(self) -> float:
+        """How far it is [s]. Of several processes the one counts that waited most."""
+        wall_s, waited = self._monotonic(), waited_s(self._pid)
+        longest = max((waited[pid] - self._waited.get(pid, 0.0) for pid in waited), default=0.0)
+        self._now_s += max(wall_s - self._last_s - longest, 0.0)
+        self._last_s, self._waited = wall_s, waited
+        return self._now_s
+
+
+def waited_s(pid: int) -> dict[int, float]:
+    """How long a process and those below it have waited for a core so far [s], by their ids."""
+    found, ahead = {}, [pid]
+    while ahead:
+        one = Path("/proc") / str(ahead.pop())
+        with contextlib.suppress(OSError, IndexError, ValueError):  # it may end at any time
+            found[int(one.name)] = int((one / "schedstat").read_text().split()[1]) / 1e9
+        with contextlib.suppress(OSError):
+            ahead += map(int, (one / "task" / one.name / "children").read_text().split())
+    return found
 
 
 @contextlib.contextmanager
@@ -93,17 +127,17 @@ def _wait_for_picture(
     Raises:
         TridentError: the program ended, or the screen stayed blank.
     """
-    begin = time.monotonic()
-    last = read_xwd(screen.read_bytes())
-    equal = 0
-    while (wall_s := time.monotonic() - begin) < _TIMEOUT_S:
+    clock = ProgressClock(viewer.pid)
+    last, equal_since_s = read_xwd(screen.read_bytes()), 0.0
+    while (now_s := clock.now_s()) < _TIMEOUT_S:
         if viewer.poll() is not None:
             raise ViewerEndedError(viewer.returncode)
         time.sleep(_POLL_S)
         picture = read_xwd(screen.read_bytes())
-        equal = equal + 1 if picture == last and is_ready() else 0
-        last = picture
-        if wall_s >= _MIN_WALL_S and equal >= _SETTLED_POLLS and not picture.is_blank():
+        if picture != last or not is_ready():
+            last, equal_since_s = picture, clock.now_s()
+        is_settled = now_s - equal_since_s >= _SETTLED_S
+        if now_s >= _MIN_S and is_settled and not picture.is_blank():
             return picture
     if last.is_blank():
         raise TridentError(f"the screen was still blank after {_TIMEOUT_S:.0f} s")
