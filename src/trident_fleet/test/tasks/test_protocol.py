@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import pytest
 from hypothesis import settings
@@ -33,8 +33,9 @@ def test_a_lossy_network_costs_at_most_three_times_as_long() -> None:
         assert done == set(made.watch.tasks)
 
 
-@pytest.mark.parametrize("seeds", [range(20), range(20, 40), range(40, 60)])
-def test_hard_days_end_with_each_task_done_or_a_reason(seeds: range) -> None:
+# In the last ones a robot loses its partner in the moment in which they would begin.
+@pytest.mark.parametrize("seeds", [range(20), range(20, 40), range(40, 60), (107, 1150, 1439)])
+def test_hard_days_end_with_each_task_done_or_a_reason(seeds: Sequence[int]) -> None:
     for seed in seeds:
         made = hard_day(seed)
         until_s = made.run()

@@ -9,6 +9,7 @@ from collections import defaultdict
 from trident_fleet.core.tasks.book import Holder, Record
 from trident_fleet.core.tasks.follower import Follower
 from trident_fleet.core.tasks.messages import State, TaskProgress, epoch_of
+from trident_fleet.core.tasks.protocol import needs_permission
 
 
 class Ledger:
@@ -111,7 +112,7 @@ class Ledger:
                 if holder.state is State.DONE or (task_id, record.round, name) in self._asked
             ]
             known_by = self.known_by[task_id, record.round] | {self.follower.name}
-            safe = record.task.repeatable or self.quorum(known_by)
+            safe = not needs_permission(record.task) or self.quorum(known_by)
             if safe and self.guards.all_there(len(asked), record.task.robots_needed):
                 for holder in record.holders.values():
                     holder.state = State(max(holder.state, State.ACTIVE))

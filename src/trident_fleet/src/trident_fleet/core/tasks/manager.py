@@ -6,11 +6,12 @@ A pure state machine: it is fed messages and times, and returns what it would se
 may manage have one. All but one stand by, and the next in the succession takes over when the table
 of the one that manages was not heard for too long.
 
-A task that must not be done twice is begun only with permission, which needs that more than half of
-the members know who has it (they say so in their tables). A new manager touches such tasks only
-when more than half of the members follow it, so it knows all permissions that can have been given.
-Then, whatever has been cut off, no second robot begins the task unless the first one has said
-itself that it has not done it. If it never says anything, the task is given up, and so reported.
+A task that must not be done twice, or that several robots do together, is begun only with
+permission, which needs that more than half of the members know who has it (they say so in their
+tables). A new manager touches such tasks only when more than half of the members follow it, so it
+knows all permissions that can have been given. Then, whatever has been cut off, no second robot
+begins the task unless the first one has said itself that it has not done it. If it never says
+anything, the task is given up, and so reported.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ from trident_fleet.core.tasks.messages import (
 )
 from trident_fleet.core.tasks.methods.base import Method, Offer
 from trident_fleet.core.tasks.plan import Job
-from trident_fleet.core.tasks.protocol import Sent
+from trident_fleet.core.tasks.protocol import Sent, needs_permission
 
 
 class Manager:
@@ -218,12 +219,12 @@ class Manager:
                 self._auctions.running.pop(task.task_id, None)
             elif now_s + task.duration_s > task.deadline_s:
                 self.ledger.give_up(record, f"not done by its deadline, {task.deadline_s} s")
-            elif not followed and not task.repeatable and self._waits_long(now_s):
+            elif not followed and needs_permission(task) and self._waits_long(now_s):
                 heard = f"{len(self._followers)} of {len(self.team.members)}"
                 self.ledger.reasons[task.task_id] = (
-                    f"must not be done twice, and only {heard} members are heard"
+                    f"needs that more than half of the members agree, and only {heard} are heard"
                 )
-            elif (followed or (settled and task.repeatable)) and self.guards.after_done(
+            elif (followed or (settled and not needs_permission(task))) and self.guards.after_done(
                 task.after, self.follower.book.done()
             ):
                 waiting.append(Job.of(task))
