@@ -7,7 +7,6 @@ import math
 from typing import Any
 
 import pytest
-from scenes import Scene, scene
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.network import Channel, LinkModel
 from trident_fleet.core.tasks.fields import Capabilities, Requirements, TaskError
@@ -15,6 +14,7 @@ from trident_fleet.core.tasks.intake import check_tasks
 from trident_fleet.core.tasks.messages import TaskAnnounce, TaskAward, TaskBid, TaskTable
 from trident_fleet.core.tasks.methods import method_named
 from trident_fleet.core.tasks.protocol import Times
+from trident_fleet.core.tasks.trials.scenes import Scene, scene
 
 TASK = TaskAnnounce(0.0, "a", "", 0, "visit", "", (1.0, 2.0, 0.0))
 ROBOTS = {

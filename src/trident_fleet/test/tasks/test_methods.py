@@ -12,7 +12,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
-from scenes import LOSSY, PERFECT, scene
 from trident_fleet.core.assignment import cheapest_pairs
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.tasks.allocate import Allocation, allocate
@@ -22,6 +21,7 @@ from trident_fleet.core.tasks.messages import Point, TaskAnnounce
 from trident_fleet.core.tasks.methods import METHODS
 from trident_fleet.core.tasks.methods.auction import auction_pairs
 from trident_fleet.core.tasks.plan import Objective
+from trident_fleet.core.tasks.trials.scenes import LOSSY, PERFECT, scene
 
 Robots = dict[str, tuple[Capabilities, Point]]
 

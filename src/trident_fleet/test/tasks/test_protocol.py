@@ -9,12 +9,12 @@ import pytest
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
-from invariants import BrokenError
-from scenes import LOSSY, SHUFFLED, STEP_S, Scene, hard_day, scene
 from trident_fleet.core.network import LinkModel
 from trident_fleet.core.tasks.book import Book
 from trident_fleet.core.tasks.messages import State, TaskAnnounce, TaskState
 from trident_fleet.core.tasks.protocol import Guards
+from trident_fleet.core.tasks.trials.invariants import BrokenError
+from trident_fleet.core.tasks.trials.scenes import LOSSY, SHUFFLED, STEP_S, Scene, hard_day, scene
 
 
 def test_a_healthy_team_does_every_task_once() -> None:

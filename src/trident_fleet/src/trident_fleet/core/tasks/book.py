@@ -137,7 +137,7 @@ class Book:
     def echo(
         self, robot: str, leases: dict[str, float], shown: dict[str, tuple[int, int]]
     ) -> tuple[TaskState, ...]:
-        """What a member says that it knows, apart from what is free as far as the manager knows.
+        """What a member says that it knows, apart from what is free as the manager has said, too.
 
         Its own tasks have the lease until which it claims them, 0 if it does not.
 
@@ -151,6 +151,6 @@ class Book:
             if state.robot_id == robot
             else state
             for record in self.records.values()
-            if not record.free or record.version > shown.get(record.task.task_id, (0, 0))
+            if not record.free or record.version > shown.get(record.task.task_id, (-1, 0))
             for state in record.states()
         )

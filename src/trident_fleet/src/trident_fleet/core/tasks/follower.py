@@ -7,7 +7,9 @@ from __future__ import annotations
 from collections import Counter
 
 from trident_fleet.core.tasks.book import Book
-from trident_fleet.core.tasks.messages import NOBODY, TaskTable
+from trident_fleet.core.tasks.fields import TaskError
+from trident_fleet.core.tasks.intake import check_tasks, is_same
+from trident_fleet.core.tasks.messages import NOBODY, TaskAnnounce, TaskTable
 from trident_fleet.core.tasks.protocol import Guards, Team
 
 
@@ -62,6 +64,18 @@ class Follower:
         self.shown = {state.task.task_id: (state.epoch, state.round) for state in table.tasks}
         self.book.join(table.tasks)
         return True
+
+    def request(self, task: TaskAnnounce) -> None:
+        """A user asks for a task: every member that hears it keeps it for all managers to come."""
+        known = {name: record.task for name, record in self.book.records.items()}
+        if task.task_id in known and is_same(task, known[task.task_id]):
+            return
+        try:
+            check_tasks([task], known, self.team.robots)
+        except TaskError as error:
+            self.problem(str(error))
+            return
+        self.book.enter(task)
 
     def problem(self, text: str) -> None:
         """Bad input: counted by its text, which names field, value and legal range."""

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from trident_fleet.core.tasks.fields import Capabilities, TaskError, nobody_can
 from trident_fleet.core.tasks.messages import TaskAnnounce, TaskBid
@@ -46,6 +47,14 @@ def check_tasks(
     _check_order(together)
     said = [nobody_can(f"task {task.task_id!r}", Job.of(task).asked, robots) for task in new]
     return [text for text in said if text is not None]
+
+
+def is_same(one: TaskAnnounce, other: TaskAnnounce) -> bool:
+    """Whether two announcements are of one task, whoever holds which auction of it."""
+    auction = {
+        name: getattr(other, name) for name in ("stamp_s", "manager", "round", "bids_until_s")
+    }
+    return replace(one, **auction) == other
 
 
 def _check_fields(task: TaskAnnounce, robots: int) -> None:

@@ -64,6 +64,8 @@ class Manager:
     def add(self, tasks: Sequence[TaskAnnounce]) -> list[str]:
         """Take in new tasks.
 
+        Until its table is heard nobody else knows them: who must not lose them has `Requests`.
+
         Returns:
             What a user may want to know, a sentence each.
 
@@ -86,7 +88,7 @@ class Manager:
         record = self.follower.book.records.get(task_id)
         if record is None:
             raise TaskError(f"task {task_id!r}: unknown, legal: {self._names()}")
-        if not record.done_by:
+        if not record.done_by and not record.given_up:
             record.reopen(self.follower.epoch)
             self.ledger.give_up(record, "canceled")
 
@@ -105,7 +107,9 @@ class Manager:
         self._heard_s[source] = now_s
         if isinstance(message, TaskTable):
             return self._on_table(source, message, now_s)
-        if isinstance(message, TaskProgress):
+        if isinstance(message, TaskProgress) and message.robot_id == NOBODY:
+            self._on_cancel(message)
+        elif isinstance(message, TaskProgress):
             self.ledger.on_progress(source, message, self.on_duty)
         elif isinstance(message, TaskBid) and self.on_duty:
             self._on_bid(source, message, now_s)
@@ -167,6 +171,15 @@ class Manager:
             if state.robot_id == source and holder is not None and state.lease_until_s > 0.0:
                 renewed_s = max(holder.lease_until_s, now_s + self.times.lease_s)
                 holder.lease_until_s = renewed_s
+
+    def _on_cancel(self, message: TaskProgress) -> None:
+        """A user does not want a task any more."""
+        if not self.on_duty or message.state is not State.WITHDRAWN:
+            return
+        try:
+            self.cancel(message.task_id)
+        except TaskError as error:
+            self.follower.problem(str(error))
 
     def _on_bid(self, source: str, bid: TaskBid, now_s: float) -> None:
         problem = refuse_bid(bid, source, self.team.robots)

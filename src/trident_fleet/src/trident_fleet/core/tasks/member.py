@@ -7,7 +7,7 @@ from __future__ import annotations
 from trident_fleet.core.network import Port
 from trident_fleet.core.tasks.follower import Follower
 from trident_fleet.core.tasks.manager import Manager
-from trident_fleet.core.tasks.messages import NOBODY, TaskMessage, TaskTable
+from trident_fleet.core.tasks.messages import NOBODY, TaskAnnounce, TaskMessage, TaskTable
 from trident_fleet.core.tasks.methods.base import Method
 from trident_fleet.core.tasks.plan import Plan
 from trident_fleet.core.tasks.protocol import Guards, Sent, Team
@@ -70,6 +70,9 @@ class Member:
         return True
 
     def _take(self, source: str, message: TaskMessage) -> None:
+        if isinstance(message, TaskAnnounce) and message.round == 0:
+            self.follower.request(message)
+            return
         now_s = self.port.now()
         for half in (self.robot, self.manager):
             if half is not None:

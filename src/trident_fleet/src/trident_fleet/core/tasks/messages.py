@@ -48,7 +48,7 @@ class TaskAnnounce:
         stamp_s: when it was sent [s].
         task_id: unique in the team.
         manager: who holds the auction.
-        round: of this auction; 0: not announced yet.
+        round: of this auction; 0: no auction yet, a user asks for the task.
         kind: name of what is to be done.
         requirements: of the robot, as JSON (`Requirements`).
         place: where it is done, p_common [m].
@@ -147,7 +147,7 @@ class TaskConfirm:
 
 @dataclass(frozen=True)
 class TaskProgress:
-    """How far a robot is with a task.
+    """How far a robot is with a task. From `NOBODY`, WITHDRAWN: a user does not want it any more.
 
     Attributes:
         stamp_s: when it was sent [s].

@@ -9,11 +9,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from trident_fleet.core.network import Channel
+from trident_fleet.core.tasks.follower import Follower
 from trident_fleet.core.tasks.member import Member
 from trident_fleet.core.tasks.messages import Point, TaskAnnounce, TaskMessage
 from trident_fleet.core.tasks.methods.base import Method
 from trident_fleet.core.tasks.plan import Plan
 from trident_fleet.core.tasks.protocol import Guards, Team
+from trident_fleet.core.tasks.requests import Requests
 
 
 @dataclass
@@ -54,13 +56,18 @@ class Rehearsal:
         method: Method,
         channel: Channel[TaskMessage],
         guards: Callable[[str], Guards] | None = None,
+        user: str | None = None,
     ) -> None:
-        """All robots at their places, p_common [m], at time 0."""
+        """All robots at their places, p_common [m], at time 0; `user`: the channel has one, too."""
         self.team, self.method, self.channel = team, method, channel
         self._guards = guards or (lambda _: Guards())
         self.bodies = {name: Body(place) for name, place in places.items()}
         self.happened = Happened()
         self.members = {name: self._member(name, False) for name in sorted(team.members)}
+        self.requests: Requests | None = None
+        if user is not None:
+            self._user = channel.port(user)
+            self.requests = Requests(Follower(user, team, Guards(), channel.now()))
 
     def add(self, tasks: list[TaskAnnounce], manager: str | None = None) -> list[str]:
         """Give tasks to a manager, the first one unless named, which takes over at once."""
@@ -74,12 +81,22 @@ class Rehearsal:
     def step(self, step_s: float) -> None:
         """Let time pass, and all that live act."""
         self.channel.advance(self.channel.now() + step_s)
+        self._ask()
         for name, member in self.members.items():
             if not self.channel.is_up(name):
                 continue
             member.spin()
             if member.robot is not None:
                 self._move(member, step_s)
+
+    def _ask(self) -> None:
+        """The user acts."""
+        if self.requests is None:
+            return
+        for envelope in self._user.receive():
+            self.requests.on_message(envelope.source, envelope.message, self._user.now())
+        for sent in self.requests.on_time(self._user.now()):
+            self._user.send(sent.message, sent.destination)
 
     def kill(self, name: str) -> None:
         """A member dies, with its robot."""

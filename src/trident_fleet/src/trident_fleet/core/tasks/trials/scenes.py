@@ -8,18 +8,19 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from random import Random
 
-from invariants import Watch
 from trident_fleet.core.network import Channel, LinkModel
 from trident_fleet.core.tasks.fields import Capabilities, Requirements
 from trident_fleet.core.tasks.messages import TaskAnnounce, TaskMessage
 from trident_fleet.core.tasks.methods import method_named
 from trident_fleet.core.tasks.protocol import Guards, Team
 from trident_fleet.core.tasks.rehearsal import Rehearsal
+from trident_fleet.core.tasks.trials.invariants import Watch
 
 PERFECT = LinkModel()
 SHUFFLED = LinkModel(loss=0.3, double=0.4, late=0.3, late_s=4.0)
 LOSSY = LinkModel(loss=0.3, double=0.1, late=0.05, late_s=1.0)
 STEP_S = 0.2
+USER = "user"
 
 
 def capabilities(index: int) -> Capabilities:
@@ -64,9 +65,14 @@ class Scene:
             while self.events and self.events[0][0] <= channel.now():
                 self.events.pop(0)[1]()
             self.watch.check()
-            if not self.events and not self.rehearsal.open_tasks():
+            if not self.events and not self.rehearsal.open_tasks() and not self._asked():
                 break
         return channel.now()
+
+    def _asked(self) -> list[str]:
+        """What no manager has heard."""
+        requests = self.rehearsal.requests
+        return [] if requests is None else requests.pending()
 
 
 def scene(
@@ -77,16 +83,44 @@ def scene(
     tasks: int = 6,
     guards: Callable[[str], Guards] | None = None,
 ) -> Scene:
-    """A team somewhere on 60 x 60 m with tasks, all healthy."""
+    """A team somewhere on 60 x 60 m whose first manager has tasks, all healthy."""
     random = Random(seed)
-    names = [f"r{index}" for index in range(robots)]
-    team = Team({name: capabilities(index) for index, name in enumerate(names)}, tuple(names))
-    places = {name: (random.uniform(0.0, 60.0), random.uniform(0.0, 60.0), 0.0) for name in names}
-    channel: Channel[TaskMessage] = Channel(names, model, seed)
-    rehearsal = Rehearsal(team, places, method_named(method), channel, guards)
+    rehearsal = _rehearsal(random, seed, model, method, robots, guards)
     work = some_tasks(random, tasks)
     rehearsal.add(work)
     return Scene(rehearsal, Watch(rehearsal, work))
+
+
+def asked_scene(
+    seed: int,
+    model: LinkModel = PERFECT,
+    method: str = "plain",
+    robots: int = 5,
+    tasks: int = 6,
+    guards: Callable[[str], Guards] | None = None,
+) -> Scene:
+    """The same where a user asks for the tasks over the network, and nobody has heard it yet."""
+    random = Random(seed)
+    rehearsal = _rehearsal(random, seed, model, method, robots, guards)
+    work = some_tasks(random, tasks)
+    assert rehearsal.requests is not None
+    rehearsal.requests.add(work)
+    return Scene(rehearsal, Watch(rehearsal, work))
+
+
+def _rehearsal(
+    random: Random,
+    seed: int,
+    model: LinkModel,
+    method: str,
+    robots: int,
+    guards: Callable[[str], Guards] | None,
+) -> Rehearsal:
+    names = [f"r{index}" for index in range(robots)]
+    team = Team({name: capabilities(index) for index, name in enumerate(names)}, tuple(names))
+    places = {name: (random.uniform(0.0, 60.0), random.uniform(0.0, 60.0), 0.0) for name in names}
+    channel: Channel[TaskMessage] = Channel([*names, USER], model, seed)
+    return Rehearsal(team, places, method_named(method), channel, guards, USER)
 
 
 def hard_day(
@@ -94,14 +128,16 @@ def hard_day(
     method: str = "plain",
     guards: Callable[[str], Guards] | None = None,
     model: LinkModel = LOSSY,
+    robots: int = 5,
+    tasks: int = 6,
 ) -> Scene:
     """Loss, doubles, late ones, one partition, the death of the manager and of a robot."""
-    made = scene(seed, model, method, guards=guards)
+    made = asked_scene(seed, model, method, robots, tasks, guards)
     random, rehearsal = Random(f"hard {seed}"), made.rehearsal
     names = sorted(rehearsal.members)
     part = random.sample(names, 2)
     start_s = random.uniform(2.0, 12.0)
-    rest = [name for name in names if name not in part]
+    rest = [*(name for name in names if name not in part), USER]
 
     def kill_manager() -> None:
         manager = rehearsal.manager()

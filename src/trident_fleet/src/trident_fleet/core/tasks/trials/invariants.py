@@ -28,6 +28,7 @@ class Watch:
     """Looks at a rehearsal after every step and every message, and remembers what was."""
 
     def __init__(self, rehearsal: Rehearsal, tasks: list[TaskAnnounce]) -> None:
+        """Of a rehearsal that has not begun, with all tasks that it will have."""
         self.rehearsal = rehearsal
         self.tasks = {task.task_id: task for task in tasks}
         self._epochs: dict[str, int] = {}
@@ -118,6 +119,11 @@ class Watch:
         self._versions = {key: value for key, value in self._versions.items() if key[0] != name}
 
     def check(self) -> None:
+        """Look at the team as it is now.
+
+        Raises:
+            BrokenError: an invariant does not hold.
+        """
         for name, member in self.rehearsal.members.items():
             if self.rehearsal.channel.is_up(name):
                 self._check_knowledge(member)
