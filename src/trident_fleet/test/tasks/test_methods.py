@@ -4,23 +4,26 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 from random import Random
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from trident_fleet.core.assignment import cheapest_pairs
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.tasks.allocate import Allocation, allocate
-from trident_fleet.core.tasks.fields import Capabilities, Requirements
+from trident_fleet.core.tasks.currents import InCurrent
+from trident_fleet.core.tasks.fields import Capabilities, Requirements, TaskError
 from trident_fleet.core.tasks.grid_path import GridPath
 from trident_fleet.core.tasks.messages import Point, TaskAnnounce
 from trident_fleet.core.tasks.methods import METHODS
 from trident_fleet.core.tasks.methods.auction import auction_pairs
-from trident_fleet.core.tasks.plan import Objective
+from trident_fleet.core.tasks.plan import Job, Objective, Plan
+from trident_fleet.core.tasks.trades import Trades
 from trident_fleet.core.tasks.trials.scenes import LOSSY, PERFECT, scene
 
 Robots = dict[str, tuple[Capabilities, Point]]
@@ -185,6 +188,21 @@ class TestEveryMethod:
             length_m = sum(map(math.dist, [place, *places], places))
             assert length_m / can.speed_m_s <= 120.0
 
+    def test_bound_tasks_wait_for_others_and_for_all_their_robots(self, name: str) -> None:
+        team, tasks = instance(6, 5, 7)
+        tasks[0] = replace(tasks[0], after=("t1", "t2"), robots_needed=2)
+        tasks[3] = replace(tasks[3], after=("t0",))
+        tasks[4] = replace(tasks[4], robots_needed=2, deadline_s=1.0)
+        found = allocate(team, tasks, METHODS[name])
+        assert found.left == ["t4"]
+        assert sum("t0" in route for route in found.routes.values()) == 2
+        assert found.value == 4.0
+        assert found.finish_s >= 15.0
+        alone = allocate(team, tasks[1:3], METHODS[name])
+        assert found.finish_s > alone.finish_s + 5.0
+        missing = [replace(tasks[1], deadline_s=0.1), *tasks[:1], *tasks[2:4]]
+        assert set(allocate(team, missing, METHODS[name]).left) == {"t0", "t1", "t3"}
+
     def test_value_leaves_what_cannot_be_done_in_time(self, name: str) -> None:
         team, tasks = instance(2, 10, 4)
         tasks = [replace(task, deadline_s=40.0) for task in tasks]
@@ -224,3 +242,60 @@ def test_tasks_behind_a_wall_go_to_the_robot_on_that_side() -> None:
     task = TaskAnnounce(0.0, "t", "", 0, "visit", "", (11.5, 5.5, 0.0))
     found = allocate(team, [task], METHODS["improved"], travel=GridPath(blocked, 1.0, (0.0, 0.0)))
     assert found.routes == {"near": [], "there": ["t"]}
+
+
+def test_against_the_current_the_path_through_the_water_is_longer() -> None:
+    travel = InCurrent(lambda _: (1.0, 0.0), 2.0)
+    start, goal = (0.0, 0.0, 0.0), (30.0, 0.0, 0.0)
+    assert travel(start, goal) == pytest.approx(20.0)
+    assert travel(goal, start) == pytest.approx(60.0)
+    assert travel(start, (0.0, 30.0, 0.0)) == pytest.approx(2.0 * 30.0 / math.sqrt(3.0))
+    assert travel(start, start) == 0.0
+    assert InCurrent(lambda _: (0.0, 3.0), 2.0)(start, goal) == math.inf
+    assert InCurrent(lambda _: (3.0, 0.0), 2.0)(goal, start) == math.inf
+    with pytest.raises(TaskError, match=r"current: speed_m_s is 0.0, legal: finite, above 0"):
+        InCurrent(lambda _: (0.0, 0.0), 0.0)
+
+
+def test_vessels_in_a_current_begin_upstream() -> None:
+    boats: Robots = {"boat": (Capabilities("water", speed_m_s=2.0), (50.0, 0.0, 0.0))}
+    tasks = [
+        TaskAnnounce(0.0, f"t{x}", "", 0, "visit", "", (float(x), 0.0, 0.0)) for x in (10, 30, 80)
+    ]
+    still = allocate(boats, tasks, METHODS["improved"])
+    assert still.routes == {"boat": ["t80", "t30", "t10"]}
+    travel = {"boat": InCurrent(lambda _: (1.5, 0.0), 2.0)}
+    moved = allocate(boats, tasks, METHODS["improved"], travel=travel)
+    assert moved.routes == {"boat": ["t30", "t10", "t80"]}
+
+
+@given(st.integers(0, 10_000))
+@settings(max_examples=10, deadline=None)
+def test_a_trade_is_worth_what_its_price_says_where_paths_are_not_symmetric(seed: int) -> None:
+    random = Random(seed)
+    team, tasks = instance(4, 12, seed)
+    ways = [InCurrent(lambda _: (0.4, -0.2), 1.0), InCurrent(lambda _: (0.0, 0.5), 2.0), math.dist]
+    plans = [
+        Plan(name, can, place, ways[index % 3])
+        for index, (name, (can, place)) in enumerate(team.items())
+    ]
+    for task in tasks:
+        plan = random.choice(plans)
+        plan.insert(Job.of(task), len(plan.jobs))
+    trades = Trades(plans, 1000)
+    tours = trades._tours
+    for sweep in (trades._segments, trades._tails, trades._swaps, trades._turns):
+        prices: list[float] = []
+
+        def best(loss: Array, prices: list[float] = prices) -> Iterator[tuple[int, int]]:
+            for place in Trades._best(loss):
+                prices.append(float(loss[place]))
+                yield place
+
+        trades._best = best  # type: ignore[method-assign]
+        routes, score = list(tours.routes), tours.score()
+        for change in sweep(tours.edges()):
+            for route, nodes in change.items():
+                tours.routes[route] = nodes
+            assert tours.score() - score == pytest.approx(prices[-1], abs=1e-6)
+            tours.routes = list(routes)

@@ -4,10 +4,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from trident_fleet.core.tasks.bound_tasks import give_bound, is_bound
 from trident_fleet.core.tasks.fields import Capabilities
+from trident_fleet.core.tasks.intake import check_tasks
 from trident_fleet.core.tasks.messages import Point, TaskAnnounce
 from trident_fleet.core.tasks.methods.base import Method, Offer, by_cost
 from trident_fleet.core.tasks.methods.improved import Improved
@@ -19,7 +21,7 @@ class Allocation:
     """Who does what.
 
     Attributes:
-        routes: task ids of each robot, in order.
+        routes: task ids of each robot, in order; a task for several robots is in several routes.
         length_m: of all paths together [m].
         finish_s: when the last robot has finished [s].
         value: of all tasks that are done.
@@ -40,27 +42,38 @@ def allocate(
     tasks: Sequence[TaskAnnounce],
     method: Method,
     objective: Objective = Objective.SUM,
-    travel: Travel = straight_line,
+    travel: Travel | Mapping[str, Travel] = straight_line,
     messages_per_task: int = 40,
 ) -> Allocation:
-    """Hold the auctions of tasks for one robot each.
+    """Hold the auctions of all tasks.
+
+    First those for one robot each that wait for nothing. Those for several robots, and those that
+    come after others, follow in an order in which nobody waits for what comes later, each after all
+    that its robots have: so a plan is true about when everybody is there. Robots trade only what
+    was given away before.
 
     Args:
         robots: what they can do and where they are, p_common [m].
-        tasks: `after` is not looked at.
+        tasks: the same in any order.
         method: of allocation.
         objective: of the team.
-        travel: length of a path between places [m].
+        travel: length of a path between places [m], of all robots, or of each by name.
         messages_per_task: bound for methods that trade.
+
+    Raises:
+        TaskError: of a task that is not legal.
     """
+    check_tasks(tasks, {}, {name: can for name, (can, _) in robots.items()})
+    ways = travel if isinstance(travel, Mapping) else dict.fromkeys(robots, travel)
     plans = {
-        name: Plan(name, can, place, travel, objective) for name, (can, place) in robots.items()
+        name: Plan(name, can, place, ways[name], objective) for name, (can, place) in robots.items()
     }
-    waiting = [Job.of(task) for task in tasks]
+    waiting = [Job.of(task) for task in tasks if not is_bound(task)]
     messages = _auctions(plans, waiting, method)
     if isinstance(method, Improved):
         limit = messages_per_task * len(tasks) - messages
         messages += method.refine(list(plans.values()), limit)
+    messages += give_bound(plans, [task for task in tasks if is_bound(task)], waiting, method)
     return _result(plans, waiting, messages)
 
 
@@ -116,7 +129,7 @@ def _result(plans: dict[str, Plan], waiting: Sequence[Job], messages: int) -> Al
         {name: [job.task_id for job in plan.jobs] for name, plan in plans.items()},
         sum(timing.length_m for timing in done),
         max((timing.finish_s for timing in done), default=0.0),
-        sum(timing.value for timing in done),
+        sum({job.task_id: job.task.value for plan in plans.values() for job in plan.jobs}.values()),
         messages,
         [job.task_id for job in waiting],
     )

@@ -43,10 +43,16 @@ class Edges:
 
 
 class Tours:
-    """Routes over nodes: tasks are 0 ... n - 1, then the robots' places, then the end."""
+    """Routes over nodes: tasks are 0 ... n - 1, then the robots' places, then the end.
+
+    Attributes:
+        lengths: from node to node, by robots that travel alike [m], shape (K, P, P); not
+            symmetric where water moves. The end is anywhere: no path leads to it.
+        kind: which of these each robot has, shape (R,).
+    """
 
     def __init__(self, plans: Sequence[Plan]) -> None:
-        """Of plans with the same objective and lengths of paths."""
+        """Of plans with the same objective."""
         self.plans = list(plans)
         self.objective = plans[0].objective
         self.jobs = [job for plan in plans for job in plan.jobs]
@@ -54,11 +60,12 @@ class Tours:
         number = {job.task_id: index for index, job in enumerate(self.jobs)}
         self.routes = [[number[job.task_id] for job in plan.jobs] for plan in plans]
         points = [job.task.place for job in self.jobs] + [plan.place for plan in plans]
-        self.lengths = np.zeros((len(points) + 1, len(points) + 1))
-        for row, place in enumerate(points):
-            for column in range(row):
-                length = plans[0].travel(place, points[column])
-                self.lengths[row, column] = self.lengths[column, row] = length
+        ways = {id(plan.travel): plan.travel for plan in plans}
+        self.kind = np.array([list(ways).index(id(plan.travel)) for plan in plans], dtype=np.intp)
+        self.lengths = np.zeros((len(ways), len(points) + 1, len(points) + 1))
+        for table, travel in zip(self.lengths, ways.values(), strict=True):
+            for row, column in itertools.permutations(range(len(points)), 2):
+                table[row, column] = travel(points[row], points[column])
         self.end = len(points)
         self.work = np.array([job.task.duration_s for job in self.jobs] + [0.0] * (len(plans) + 1))
         self.speed = np.array([plan.can.speed_m_s for plan in plans])
@@ -83,12 +90,12 @@ class Tours:
         before, work = [], []
         for route in range(len(self.routes)):
             nodes = self.nodes(route)
-            length_m, work_s = 0.0, 0.0
+            length_m, work_s, kind = 0.0, 0.0, self.kind[route]
             for index in range(len(nodes) - 1):
                 rows.append((route, index, nodes[index], nodes[index + 1]))
                 before.append(length_m)
                 work.append(work_s)
-                length_m += float(self.lengths[nodes[index], nodes[index + 1]])
+                length_m += float(self.lengths[kind, nodes[index], nodes[index + 1]])
                 work_s += float(self.work[nodes[index + 1]])
         table = np.array(rows, dtype=np.intp).T
         return Edges(table[0], table[1], table[2], table[3], np.array(before), np.array(work))
@@ -97,8 +104,8 @@ class Tours:
         """Of each route [m]."""
         return np.array(
             [
-                sum(self.lengths[a, b] for a, b in itertools.pairwise(nodes[:-1]))
-                for nodes in map(self.nodes, range(len(self.routes)))
+                sum(self.lengths[kind, a, b] for a, b in itertools.pairwise(self.nodes(route)))
+                for route, kind in enumerate(self.kind)
             ]
         )
 

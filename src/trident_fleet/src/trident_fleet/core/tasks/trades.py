@@ -12,7 +12,6 @@ would send them.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Iterator, Sequence
 from random import Random
 
@@ -93,7 +92,7 @@ class Trades:
     def _segments(self, edges: Edges) -> Iterator[Change]:
         """Segments that another robot, or the same one elsewhere, does at less."""
         tours, d = self._tours, self._tours.lengths
-        finish_s = tours.finish()
+        finish_s, kind = tours.finish(), tours.kind[edges.route]
         rows = [
             (route, first, length)
             for route, nodes in enumerate(tours.routes)
@@ -101,22 +100,24 @@ class Trades:
             for first in range(len(nodes) - length + 1)
         ]
         route, first, length = np.array(rows, dtype=np.intp).T
-        ends = [(tours.nodes(r), i, n) for r, i, n in rows]
-        prev, head, tail, after = np.array(
-            [(nodes[i], nodes[i + 1], nodes[i + n], nodes[i + n + 1]) for nodes, i, n in ends]
-        ).T
-        inner_m = np.array(
-            [sum(d[pair] for pair in itertools.pairwise(x[i + 1 : i + n + 1])) for x, i, n in ends]
+        ends = np.array([(tours.nodes(r)[i], tours.nodes(r)[i + n + 1]) for r, i, n in rows])
+        pieces = np.array(
+            [[tours.routes[r][i + min(j, n - 1)] for j in range(3)] for r, i, n in rows]
         )
-        work_s = np.array([tours.work[nodes[i + 1 : i + n + 1]].sum() for nodes, i, n in ends])
-        saved = d[prev, head] + d[tail, after] - d[prev, after]
-        start, end = edges.start[None], edges.end[None]
-        forward = d[start, head[:, None]] + d[tail[:, None], end] - d[start, end]
-        backward = d[start, tail[:, None]] + d[head[:, None], end] - d[start, end]
-        cost = np.minimum(forward, backward)
-        other = tours.loss(
-            finish_s, route[:, None], -(saved + inner_m)[:, None], -work_s[:, None]
-        ) + tours.loss(finish_s, edges.route[None], cost + inner_m[:, None], work_s[:, None])
+        head, tail, own_kind = pieces[:, 0], pieces[:, 2], tours.kind[route]
+        forward_m = d[:, head, pieces[:, 1]] + d[:, pieces[:, 1], tail]
+        backward_m = d[:, tail, pieces[:, 1]] + d[:, pieces[:, 1], head]
+        work_s = np.array([tours.work[tours.routes[r][i : i + n]].sum() for r, i, n in rows])
+        saved = d[own_kind, ends[:, 0], head] + d[own_kind, tail, ends[:, 1]]
+        saved += forward_m[own_kind, np.arange(len(rows))] - d[own_kind, ends[:, 0], ends[:, 1]]
+        start, end, gap = edges.start, edges.end, d[kind, edges.start, edges.end]
+        forward = d[kind, start, head[:, None]] + forward_m.T[:, kind] + d[kind, tail[:, None], end]
+        backward = (
+            d[kind, start, tail[:, None]] + backward_m.T[:, kind] + d[kind, head[:, None], end]
+        )
+        cost = np.minimum(forward, backward) - gap
+        other = tours.loss(finish_s, route[:, None], -saved[:, None], -work_s[:, None])
+        other = other + tours.loss(finish_s, edges.route[None], cost, work_s[:, None])
         zero = np.zeros((1, 1))
         own = tours.loss(finish_s, route[:, None], cost - saved[:, None], zero)
         same = route[:, None] == edges.route[None]
@@ -145,12 +146,16 @@ class Trades:
         tours, d = self._tours, self._tours.lengths
         finish_s, length_m = tours.finish(), tours.length()
         work_s = np.array([tours.work[nodes].sum() for nodes in tours.routes])
-        own_m = d[edges.start, edges.end]
-        after_m = length_m[edges.route] - edges.before_m - own_m
+        kind = tours.kind[edges.route]
+        legs_m = d[:, edges.start, edges.end]
+        so_far_m = np.cumsum(legs_m, axis=1)
+        last = np.searchsorted(edges.route, edges.route, side="right") - 1
+        after_m = so_far_m[:, last] - so_far_m
         after_s = work_s[edges.route] - edges.work_before_s
-        join = d[edges.start[:, None], edges.end[None]]
-        one_m = (edges.before_m - length_m[edges.route])[:, None] + join + after_m[None]
-        other_m = (edges.before_m - length_m[edges.route])[None] + join.T + after_m[:, None]
+        # What a route becomes that goes on as the other one does, from the row's to the column's.
+        join = d[kind[:, None], edges.start[:, None], edges.end[None]] + after_m[kind]
+        one_m = (edges.before_m - length_m[edges.route])[:, None] + join
+        other_m = one_m.T
         more_s = after_s[None] - after_s[:, None]
         loss = tours.loss(finish_s, edges.route[:, None], one_m, more_s)
         loss = loss + tours.loss(finish_s, edges.route[None], other_m, -more_s)
@@ -178,8 +183,10 @@ class Trades:
         tours, d = self._tours, self._tours.lengths
         finish_s = tours.finish()
         route, index, node, prev, after = self._tasks()
-        own_m = d[prev, node] + d[node, after]
-        instead = d[prev[:, None], node[None]] + d[node[None], after[:, None]]
+        kind = tours.kind[route]
+        own_m = d[kind, prev, node] + d[kind, node, after]
+        row_kind = kind[:, None]
+        instead = d[row_kind, prev[:, None], node[None]] + d[row_kind, node[None], after[:, None]]
         one_m = instead - own_m[:, None]
         more_s = tours.work[node][None] - tours.work[node][:, None]
         loss = tours.loss(finish_s, route[:, None], one_m, more_s)
@@ -195,8 +202,13 @@ class Trades:
         """A robot that does a part of its route in reverse."""
         tours, d = self._tours, self._tours.lengths
         route, index, node, prev, after = self._tasks()
-        own_m = d[prev, node][:, None] + d[node, after][None]
-        loss = d[prev[:, None], node[None]] + d[node[:, None], after[None]] - own_m
+        kind = tours.kind[route]
+        more_m = np.where(after == tours.end, 0.0, d[kind, after, node] - d[kind, node, after])
+        before_m = np.concatenate([[0.0], np.cumsum(more_m)[:-1]])
+        own_m = d[kind, prev, node][:, None] + d[kind, node, after][None]
+        row_kind = kind[:, None]
+        loss = d[row_kind, prev[:, None], node[None]] + d[row_kind, node[:, None], after[None]]
+        loss = loss - own_m + before_m[None] - before_m[:, None]
         pair = (route[:, None] == route[None]) & (index[:, None] < index[None])
         loss = np.where(pair, loss, np.inf)
         for row, column in self._best(loss):
@@ -213,7 +225,7 @@ class Trades:
         before, score = [list(nodes) for nodes in tours.routes], tours.score()
         count = self._random.randint(2, min(8, len(tours.jobs)))
         seed = self._random.randrange(len(tours.jobs))
-        near = np.argsort(tours.lengths[seed, : len(tours.jobs)], kind="stable")[: 2 * count]
+        near = np.argsort(tours.lengths[0, seed, : len(tours.jobs)], kind="stable")[: 2 * count]
         taken = self._random.sample([int(node) for node in near], min(count, len(near)))
         self._messages += self._shake_cost(len(taken))
         tours.routes = [[node for node in nodes if node not in taken] for nodes in tours.routes]
@@ -231,7 +243,8 @@ class Trades:
             edges, finish_s = tours.edges(), tours.finish()
             node = np.array(waiting)[:, None]
             start, end = edges.start[None], edges.end[None]
-            more_m = d[start, node] + d[node, end] - d[start, end]
+            kind = tours.kind[edges.route][None]
+            more_m = d[kind, start, node] + d[kind, node, end] - d[kind, start, end]
             loss = tours.loss(finish_s, edges.route[None], more_m, tours.work[node])
             loss = np.where(tours.can[edges.route[None], node], loss, np.inf)
             firsts = np.flatnonzero(edges.index == 0)
