@@ -9,6 +9,6 @@ setup(
     **generate_distutils_setup(
         packages=find_packages("src"),
         package_dir={"": "src"},
-        package_data={"trident_benchmarks": ["py.typed"]},
+        package_data={"trident_benchmarks": ["py.typed", "tasks/ortools.csv"]},
     )
 )

@@ -60,5 +60,8 @@ BENCHMARKS = (
     Benchmark("bridges", "bridges.benchmark", "measure bridges between ROS and other protocols"),
     Benchmark("sitl", "sitl.benchmark", "fly with stand-ins for PX4 and ArduPilot in lockstep"),
     Benchmark("sweeps", "sweeps.benchmark", "measure what a sweep costs around its runs"),
+    Benchmark(
+        "tasks", "tasks.benchmark", "compare methods of sharing out tasks, and lose messages"
+    ),
     Benchmark("table", "sim.saved_table", "the Markdown table of a saved benchmark"),
 )

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import replace
@@ -24,6 +23,8 @@ from trident_fleet.core.tasks.methods import METHODS
 from trident_fleet.core.tasks.methods.auction import auction_pairs
 from trident_fleet.core.tasks.plan import Job, Objective, Plan
 from trident_fleet.core.tasks.trades import Trades
+from trident_fleet.core.tasks.trials.exact import exact
+from trident_fleet.core.tasks.trials.instances import random_instance
 from trident_fleet.core.tasks.trials.scenes import LOSSY, PERFECT, scene
 
 Robots = dict[str, tuple[Capabilities, Point]]
@@ -34,49 +35,8 @@ MANY_EACH = [name for name, method in METHODS.items() if not method.one_each]
 
 def instance(robots: int, tasks: int, seed: int) -> tuple[Robots, list[TaskAnnounce]]:
     """Points anywhere on 100 x 100 m, robots of speeds 1 ... 3 m/s."""
-    random = Random(seed)
-
-    def point() -> Point:
-        return (random.uniform(0.0, 100.0), random.uniform(0.0, 100.0), 0.0)
-
-    team = {
-        f"r{index}": (Capabilities("ground", speed_m_s=1.0 + index % 3), point())
-        for index in range(robots)
-    }
-    return team, [
-        TaskAnnounce(0.0, f"t{index}", "", 0, "visit", "", point(), 5.0) for index in range(tasks)
-    ]
-
-
-def exact(team: Robots, tasks: list[TaskAnnounce], makespan: bool) -> float:
-    """The optimum: the best order of every subset for every robot, and the best partition."""
-    count = len(tasks)
-    costs = []
-    for can, place in team.values():
-        least = [0.0] * (1 << count)
-        for mask in range(1, 1 << count):
-            chosen = [task for index, task in enumerate(tasks) if mask >> index & 1]
-            least[mask] = min(
-                sum(map(math.dist, (place, *order), order))
-                for order in itertools.permutations(task.place for task in chosen)
-            )
-            if makespan:
-                least[mask] = least[mask] / can.speed_m_s + 5.0 * len(chosen)
-        costs.append(least)
-    best = costs[0]
-    for least in costs[1:]:
-        best = [_best_split(best, least, mask, makespan) for mask in range(1 << count)]
-    return best[-1]
-
-
-def _best_split(one: list[float], other: list[float], mask: int, makespan: bool) -> float:
-    best, part = math.inf, mask
-    while True:
-        pair = (one[part], other[mask ^ part])
-        best = min(best, max(pair) if makespan else sum(pair))
-        if not part:
-            return best
-        part = (part - 1) & mask
+    made = random_instance(robots, tasks, seed)
+    return made.robots, made.tasks
 
 
 def test_few_tasks_are_within_a_hundredth_of_the_optimum() -> None:

@@ -5,6 +5,9 @@
 Source: D. P. Bertsekas, The auction algorithm: a distributed relaxation method for the assignment
 problem, Annals of Operations Research 14, 1988: with integer costs and an increment below 1/N the
 assignment is optimal.
+
+Robots bid their costs once, and the manager lets them raise prices against each other in mind: over
+a network each rise would be a message, hundreds for each task, and a lossy one would stop it.
 """
 
 from __future__ import annotations

@@ -3,7 +3,9 @@
 """Bundles of tasks, each bid for on the condition of those before it.
 
 Source: H.-L. Choi, L. Brunet, J. P. How, Consensus-based decentralized auctions for robust task
-allocation, IEEE Trans. Robotics 25(4), 2009. The consensus on the highest bids is the manager's.
+allocation, IEEE Trans. Robotics 25(4), 2009. There, robots agree on the winning bids by
+telling their neighbors; here, all bids go to the manager, whose table says who has won what. So the
+result is that of their algorithm once it has converged, and not the way to it.
 """
 
 from __future__ import annotations
