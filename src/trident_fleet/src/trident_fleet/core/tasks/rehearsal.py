@@ -16,25 +16,11 @@ from trident_fleet.core.tasks.methods.base import Method
 from trident_fleet.core.tasks.plan import Plan
 from trident_fleet.core.tasks.protocol import Guards, Team
 from trident_fleet.core.tasks.requests import Requests
+from trident_fleet.core.tasks.worker import Worker
 
 
 @dataclass
-class Body:
-    """What is true of a robot.
-
-    Attributes:
-        place: p_common [m].
-        working: at which task; None: none.
-        until_s: when the work is done [s].
-    """
-
-    place: Point
-    working: str | None = None
-    until_s: float = math.inf
-
-
-@dataclass
-class Happened:
+class Truth:
     """What has been done in truth.
 
     Attributes:
@@ -61,8 +47,9 @@ class Rehearsal:
         """All robots at their places, p_common [m], at time 0; `user`: the channel has one, too."""
         self.team, self.method, self.channel = team, method, channel
         self._guards = guards or (lambda _: Guards())
-        self.bodies = {name: Body(place) for name, place in places.items()}
-        self.happened = Happened()
+        self.places = dict(places)
+        self._workers: dict[str, Worker] = {}
+        self.happened = Truth()
         self.members = {name: self._member(name, False) for name in sorted(team.members)}
         self.requests: Requests | None = None
         if user is not None:
@@ -101,8 +88,6 @@ class Rehearsal:
     def kill(self, name: str) -> None:
         """A member dies, with its robot."""
         self.channel.crash(name)
-        if name in self.bodies:
-            self.bodies[name].working = None
 
     def restart(self, name: str) -> None:
         """A member is there again, where it was, and has forgotten everything."""
@@ -134,29 +119,25 @@ class Rehearsal:
     def _member(self, name: str, restarted: bool) -> Member:
         plan = None
         if name in self.team.robots:
-            plan = Plan(name, self.team.robots[name], self.bodies[name].place)
+            plan = Plan(name, self.team.robots[name], self.places[name])
         port = self.channel.port(name)
-        return Member(port, self.team, self.method, plan, self._guards(name), restarted)
+        made = Member(port, self.team, self.method, plan, self._guards(name), restarted)
+        if made.robot is not None:
+            self._workers[name] = Worker(made.robot)
+        return made
 
     def _move(self, member: Member, step_s: float) -> None:
-        robot, body, now_s = member.robot, self.bodies[member.name], self.channel.now()
-        assert robot is not None
-        held = robot.current(now_s)
-        if body.working is not None and (held is None or held.job.task_id != body.working):
-            body.working = None
-        if held is None:
-            return
-        task = held.job.task
-        if body.working is None:
-            body.place = _toward(body.place, task.place, robot.plan.can.speed_m_s * step_s)
-            robot.plan.moved(body.place, now_s)
-            if body.place == task.place and robot.begin(task.task_id, now_s):
-                body.working, body.until_s = task.task_id, now_s + task.duration_s
-                self.happened.begun.append((now_s, task.task_id, member.name))
-        elif now_s >= body.until_s:
-            body.working = None
-            self.happened.done.append((now_s, task.task_id, member.name))
-            member.send(robot.finish(task.task_id, now_s))
+        now_s, worker = self.channel.now(), self._workers[member.name]
+        goal = worker.goal(now_s)
+        if goal is not None:
+            most_m = self.team.robots[member.name].speed_m_s * step_s
+            self.places[member.name] = _toward(self.places[member.name], goal, most_m)
+        came = worker.at(self.places[member.name], now_s)
+        if came.begun:
+            self.happened.begun.append((now_s, came.begun, member.name))
+        if came.done:
+            self.happened.done.append((now_s, came.done, member.name))
+            member.send(list(came.sent))
 
 
 def _toward(place: Point, goal: Point, most_m: float) -> Point:
