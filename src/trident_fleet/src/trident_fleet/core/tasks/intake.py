@@ -37,7 +37,7 @@ def check_tasks(
             raise TaskError(f"task {task.task_id!r}: task_id is there already, legal: a new one")
         together[task.task_id] = task
     for task in new:
-        _check_fields(task, len(robots))
+        check_fields(task, len(robots))
         for before in task.after:
             if before not in together:
                 raise TaskError(
@@ -57,7 +57,16 @@ def is_same(one: TaskAnnounce, other: TaskAnnounce) -> bool:
     return replace(one, **auction) == other
 
 
-def _check_fields(task: TaskAnnounce, robots: int) -> None:
+def check_fields(task: TaskAnnounce, robots: int) -> None:
+    """Check a task for itself.
+
+    Args:
+        task: it.
+        robots: of the team, how many.
+
+    Raises:
+        TaskError: names task, field, value and legal range.
+    """
     owner = f"task {task.task_id!r}"
     if not task.task_id:
         raise TaskError("task: task_id is empty, legal: a name")

@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Coordinators as processes: tasks over common topics, and over those that a relay carries."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import pytest
+
+pytest.importorskip("trident.testing", reason="the workspace is not built or sourced")
+pytest.importorskip("trident_msgs.msg", reason="trident_msgs is not built or sourced")
+
+from test_nodes_ros import FLEET, LIMIT_S, PYTHON, RosSession, session
+from test_radio_port import MESSAGES
+from trident.testing.waiting import output_of
+from trident_fleet.core.tasks.fields import Capabilities, TaskError
+from trident_fleet.core.tasks.messages import TaskMessage
+from trident_fleet.nodes.tasks.conversion import from_ros, to_ros
+from trident_fleet.nodes.tasks.settings import read_settings
+
+import trident_msgs.msg as ros
+
+__all__ = ["session"]
+
+SCRIPT = FLEET / "scripts" / "cnp_coordinator.py"
+POINTS = FLEET / "test" / "ros" / "points.py"
+ROBOTS = {"uav1": {"role": "uav", "skills": ["see"], "speed_m_s": 4.0}, "usv1": {"role": "usv"}}
+
+
+@pytest.mark.parametrize("kind", ["topics", "relay"])
+def test_a_team_does_what_a_user_asks_for(session: RosSession, kind: str) -> None:
+    world = session.start(PYTHON, POINTS, session.folder / "points.json", kind)
+    for name, role in (("rover", "ugv"), ("boat", "usv")):
+        session.start(PYTHON, SCRIPT, f"__ns:={name}", f"_role:={role}", f"_network:={kind}")
+    output = output_of(world, 5.0 * LIMIT_S)
+    assert world.returncode == 0, output
+    found = json.loads((session.folder / "points.json").read_text())
+    # Both can do b, and on a busy machine the nearer one's bid may come too late.
+    assert found["done"] | {"b": ""} == {"a": "rover", "b": "", "c": "rover", "d": "boat"}
+    assert found["pending"] == []
+    if kind == "topics":
+        text = "/bid_submit refused: header.frame_id is '', legal: boat, rover, who sent it"
+        assert text in found["refused"].values()
+
+
+@pytest.mark.parametrize("message", MESSAGES)
+def test_messages_come_back_from_ros(message: TaskMessage) -> None:
+    made = to_ros(message, "uav1", "map")
+    assert made.header.frame_id == "uav1"
+    assert from_ros(made, "map") == message
+
+
+def announced() -> Any:
+    return to_ros(MESSAGES[0], "uav1", "map")
+
+
+def test_bad_messages_name_field_value_and_range() -> None:
+    bad = announced()
+    bad.place.pose.position.y = math.nan
+    with pytest.raises(TaskError, match=r"task 'a': place is \(1.0, nan, 0.0\), legal: three"):
+        from_ros(bad, "map")
+    with pytest.raises(TaskError, match=r"place.header.frame_id is 'map', legal: world"):
+        from_ros(announced(), "world")
+    bad = announced()
+    bad.header.stamp.secs = 4_000_000_000
+    with pytest.raises(TaskError, match=r"header.stamp: stamp is 4000000000 s, legal: below"):
+        from_ros(bad, "map")
+    with pytest.raises(TaskError, match=r"state is 9, legal: 0 ... 4"):
+        from_ros(ros.TaskProgress(state=9), "map")
+    with pytest.raises(TaskError, match=r"done is nan, legal: 0 ... 1"):
+        from_ros(ros.TaskProgress(done=math.nan), "map")
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"robots": None}, "robots: None; legal: a map of names"),
+        ({"robots": {"uav1": {"role": "sub"}}}, "robots/uav1/role: 'sub'; legal: uav, ugv, usv"),
+        ({"robots": {"uav1": {"rolle": "uav"}}}, "robots/uav1/rolle: unknown; did you mean 'role'"),
+        ({"robots": {"uav1": {"role": "uav", "speed_m_s": 0.0}}}, "speed_m_s is 0.0, legal: fini"),
+        ({"robots": {"uav1": {"role": "uav", "skills": "see"}}}, "robots/uav1/skills: 'see'; leg"),
+        ({"managers": ["a", "a"]}, r"managers: \['a', 'a'\]; legal: each name once"),
+        ({"member": "x"}, "member: 'x'; legal: uav1, usv1, the names in robots and managers"),
+        ({"role": "ugv"}, "role: 'ugv'; legal: uav, as robots has it for uav1"),
+        ({"method": "best"}, "method is 'best', legal: nearest"),
+        ({"objective": "fun"}, "objective: 'fun'; legal: sum, makespan, value"),
+        ({"network": "wire"}, "network: 'wire'; legal: topics, relay"),
+        ({"step": 0.0}, "step: 0; legal: above 0"),
+        ({"attempts": 0}, "attempts: 0; legal: 1 or more"),
+        ({"lease_s": 0.1}, "lease_s is 0.1, legal: above 2 digest_s"),
+    ],
+)
+def test_bad_parameters(changed: dict[str, Any], message: str) -> None:
+    given = {"robots": ROBOTS} | changed
+    with pytest.raises(TaskError, match=message):
+        read_settings(given.get, "uav1")
+
+
+def test_settings_of_a_robot_and_of_a_manager() -> None:
+    given = {"robots": ROBOTS, "managers": ["gcs", "uav1"], "role": "uav", "lease_s": 8.0}
+    robot = read_settings(given.get, "uav1")
+    assert robot.is_robot
+    assert robot.team.robots["uav1"] == Capabilities("air", ("see",), speed_m_s=4.0)
+    assert robot.team.times.lease_s == 8.0
+    assert robot.wiring.heard == (("/", None),)
+    manager = read_settings((given | {"role": "manager", "network": "relay"}).get, "gcs")
+    assert not manager.is_robot
+    assert manager.wiring.out == "/gcs/"
+    assert manager.wiring.heard == (("/gcs/from/uav1/", "uav1"), ("/gcs/from/usv1/", "usv1"))
