@@ -27,6 +27,7 @@ from trident_tool.provision import provision
 from trident_tool.running import run_launch_file
 from trident_tool.sanitizing import SANITIZERS, run_sanitized
 from trident_tool.shell import shell
+from trident_tool.tasks import add_task_command
 from trident_tool.testing import run_tests
 from trident_tool.view.recording import Recording
 from trident_tool.view.screenshot import Size
@@ -196,6 +197,7 @@ def _add_running_commands(add: Callable[[str, Handler, str], argparse.ArgumentPa
 
     _add_view(add)
     add_links_command(add)
+    add_task_command(add)
     add_nmea_command(add)
     add_modbus_command(add)
 

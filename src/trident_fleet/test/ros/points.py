@@ -105,6 +105,7 @@ def main() -> None:
     kind = sys.argv[2]
     rospy.set_param("/use_sim_time", True)
     rospy.set_param("/team", {"robots": ROBOTS, "network": kind, "users": [USER]})
+    Path(sys.argv[1]).with_suffix(".ready").touch()
     rospy.init_node("points")
     refused: dict[str, str] = {}
 
@@ -122,7 +123,7 @@ def main() -> None:
     requests.add(tasks())
     end, now_s = time.monotonic() + LIMIT_S, 0.0
     done: dict[str, str] = {}
-    while (len(done) < 4 or (kind == "topics" and not refused)) and time.monotonic() < end:
+    while (len(done) < 5 or (kind == "topics" and not refused)) and time.monotonic() < end:
         now_s += STEP_S
         stamp = rospy.Time.from_sec(now_s)
         clock.publish(stamp)

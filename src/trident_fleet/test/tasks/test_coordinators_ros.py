@@ -15,9 +15,11 @@ pytest.importorskip("trident_msgs.msg", reason="trident_msgs is not built or sou
 
 from test_nodes_ros import FLEET, LIMIT_S, PYTHON, RosSession, session
 from test_radio_port import MESSAGES
-from trident.testing.waiting import output_of
+from trident.testing.waiting import eventually, output_of
+from trident_fleet.cli import tasks as cli
+from trident_fleet.core.tasks.book import Holder, Record
 from trident_fleet.core.tasks.fields import Capabilities, TaskError
-from trident_fleet.core.tasks.messages import TaskMessage
+from trident_fleet.core.tasks.messages import State, TaskMessage
 from trident_fleet.nodes.tasks.conversion import from_ros, to_ros
 from trident_fleet.nodes.tasks.settings import read_settings
 
@@ -33,13 +35,18 @@ ROBOTS = {"uav1": {"role": "uav", "skills": ["see"], "speed_m_s": 4.0}, "usv1": 
 @pytest.mark.parametrize("kind", ["topics", "relay"])
 def test_a_team_does_what_a_user_asks_for(session: RosSession, kind: str) -> None:
     world = session.start(PYTHON, POINTS, session.folder / "points.json", kind)
+    eventually((session.folder / "points.ready").exists, "the team's parameters")
     for name, role in (("rover", "ugv"), ("boat", "usv")):
         session.start(PYTHON, SCRIPT, f"__ns:={name}", f"_role:={role}", f"_network:={kind}")
+    command = [PYTHON, "-m", "trident_fleet.cli.tasks", f"--wait={LIMIT_S}"]
+    added = output_of(session.start(*command, "add", "e", "55", "1", "0"), LIMIT_S)
+    assert "\ne  " in "\n" + added, added
     output = output_of(world, 5.0 * LIMIT_S)
     assert world.returncode == 0, output
     found = json.loads((session.folder / "points.json").read_text())
-    # Both can do b, and on a busy machine the nearer one's bid may come too late.
-    assert found["done"] | {"b": ""} == {"a": "rover", "b": "", "c": "rover", "d": "boat"}
+    # Both can do b and e, and on a busy machine the nearer one's bid may come too late.
+    sure = {name: robot for name, robot in found["done"].items() if name not in ("b", "e")}
+    assert sure == {"a": "rover", "c": "rover", "d": "boat"}
     assert found["pending"] == []
     if kind == "topics":
         text = "/bid_submit refused: header.frame_id is '', legal: boat, rover, who sent it"
@@ -51,6 +58,19 @@ def test_messages_come_back_from_ros(message: TaskMessage) -> None:
     made = to_ros(message, "uav1", "map")
     assert made.header.frame_id == "uav1"
     assert from_ros(made, "map") == message
+
+
+def test_a_task_of_the_command_line_and_the_line_of_what_became_of_it() -> None:
+    words = ["add", "dig1", "4", "5.5", "0", "--requirements", '{"skills": ["dig"]}', "--robots"]
+    task = cli.task_of(cli.parser().parse_args([*words, "2", "--after", "a", "--after", "b"]))
+    assert task.place == (4.0, 5.5, 0.0)
+    assert (task.after, task.robots_needed, task.deadline_s) == (("a", "b"), 2, math.inf)
+    record = Record(task)
+    assert cli.line(record).split() == ["dig1", "waits", "-", "visit", "(4,", "5.5,", "0)"]
+    record.holders = {"r1": Holder(State.ACTIVE), "r2": Holder(State.AWARDED)}
+    assert cli.line(record).split()[1:4] == ["awarded", "r1,", "r2"]
+    record.done_by = ("r1", "r2")
+    assert cli.line(record).split()[1] == "done"
 
 
 def announced() -> Any:

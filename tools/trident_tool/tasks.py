@@ -1,0 +1,32 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""The ``task`` subcommand: what a running team shall do, and how far it is."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+
+from trident_tool.formation import Handler
+from trident_tool.links import run_at_master
+from trident_tool.workspace import Runner, Workspace
+
+_MODULE = "trident_fleet.cli.tasks"
+
+
+def add_task_command(add: Callable[[str, Handler, str], argparse.ArgumentParser]) -> None:
+    """Adds ``task`` to the command line."""
+    sub = add("task", _cmd_task, "ask a running team for a task, cancel one, or list them")
+    sub.add_argument(
+        "words",
+        nargs=argparse.REMAINDER,
+        metavar="add|cancel|list …",
+        help="add ID X Y Z [--kind, --requirements, --duration, --deadline, --value, --after, "
+        "--robots, --repeatable]; cancel ID; list; add --help explains them",
+    )
+
+
+def _cmd_task(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    if runner.dry_run:
+        return runner.run(["/usr/bin/python3", "-m", _MODULE, *options.words])
+    return run_at_master(workspace, runner, _MODULE, options.words)
