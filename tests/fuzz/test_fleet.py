@@ -8,9 +8,12 @@ import signal
 from pathlib import Path
 
 import pytest
-from hostile import SEED, messages, note_treated, started
+import rospy
+from hostile import SEED, messages, note_treated, odometry, started
+from nav_msgs.msg import Odometry
 from trident.testing import Gazebo, Launch, Ros, pose, program, vehicle_urdf
 from trident.testing.fuzz import Campaign, CampaignOptions, Target
+from trident.testing.waiting import eventually
 
 LEADER = "/UAV1/odometry_sensor1/odometry"
 #: Nodes that share the code of formation_node, each with a vehicle of its own: what they are, and
@@ -29,7 +32,7 @@ BOAT = f"""<sdf version="1.6"><model name="boat"><static>true</static><link name
 RULES = "rules: [{topic: odom, from: [boat], to: [UAV1]}]\n"
 
 
-def withstands(node: str, part: int = 1) -> None:
+def withstands(node: str, part: int = 1, words: tuple[str, ...] = ("UAV1", "UAV2")) -> None:
     """It lives, and commands nothing that is no number.
 
     Who takes the simulator's place, or the leader's, is obeyed: where it flies is not asked.
@@ -37,9 +40,10 @@ def withstands(node: str, part: int = 1) -> None:
     Args:
         node: its full name.
         part: see `messages`: each of them may have it command minutes of a flight.
+        words: that texts are made of, among others.
     """
     count = messages(part)
-    settings = CampaignOptions(messages=count, seed=SEED, batch=20, words=("UAV1", "UAV2"))
+    settings = CampaignOptions(messages=count, seed=SEED, batch=20, words=words)
     target = Target(node)
     note_treated(target)
     found = Campaign(target, settings).run()
@@ -99,6 +103,21 @@ def test_a_base_station(ros: Ros, tmp_path: Path) -> None:
     has_no_traceback("base_station", process.log)
     assert process.running, process.log
     simulation.step_to(4.0)
+    assert process.stop(signal.SIGINT) == 0
+
+
+@pytest.mark.fuzzes("trident_fleet/cnp_coordinator.py")
+def test_a_coordinator(ros: Ros) -> None:
+    """It keeps to its own team, and says where its robot should be in finite numbers."""
+    team = "_robots:={rover: {role: ugv}, boat: {role: usv}}"
+    command = [program("trident_fleet", "cnp_coordinator.py"), "__name:=rover", team]
+    process = started(ros, "/rover", [*command, "_pose_topic:=/rover/odom"])
+    fed = rospy.Publisher("/rover/odom", Odometry, queue_size=1, latch=True)
+    fed.publish(odometry())
+    eventually(lambda: fed.get_num_connections() > 0, "/rover/odom")
+    withstands("/rover", 5, words=("rover", "boat"))
+    has_no_traceback("cnp_coordinator", process.log)
+    assert process.running, process.log
     assert process.stop(signal.SIGINT) == 0
 
 

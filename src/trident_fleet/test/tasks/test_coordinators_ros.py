@@ -88,6 +88,12 @@ def test_bad_messages_name_field_value_and_range() -> None:
     bad.header.stamp.secs = 4_000_000_000
     with pytest.raises(TaskError, match=r"header.stamp: stamp is 4000000000 s, legal: below"):
         from_ros(bad, "map")
+    with pytest.raises(TaskError, match=r"epoch is 50001, legal: 0 ... 50000"):
+        from_ros(ros.TaskTable(epoch=50_001), "map")
+    bad = announced()
+    bad.requirements = "{"
+    with pytest.raises(TaskError, match="task 'a': requirements are no JSON"):
+        from_ros(bad, "map")
     with pytest.raises(TaskError, match=r"state is 9, legal: 0 ... 4"):
         from_ros(ros.TaskProgress(state=9), "map")
     with pytest.raises(TaskError, match=r"done is nan, legal: 0 ... 1"):

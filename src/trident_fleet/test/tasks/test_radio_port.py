@@ -61,6 +61,7 @@ def test_bytes_that_are_no_message(data: bytes) -> None:
         ({"round": 1.5}, r"TaskAnnounce: round is 1.5, legal: int"),
         ({"value": True}, "TaskAnnounce: value is True, legal: float"),
         ({"after": "b"}, r"TaskAnnounce: after is 'b', legal: tuple\[str, ...\]"),
+        ({"requirements": "{"}, "task 'a': requirements are no JSON"),
         ({"kind": None}, "TaskAnnounce: kind is None, legal: str"),
     ],
 )

@@ -11,6 +11,7 @@ from dataclasses import asdict, fields
 from typing import Any
 
 from trident_fleet.core.tasks.fields import TaskError
+from trident_fleet.core.tasks.intake import check_fields
 from trident_fleet.core.tasks.messages import (
     State,
     TaskAnnounce,
@@ -27,6 +28,7 @@ _KINDS: dict[str, Any] = {
     kind.__name__: kind
     for kind in (TaskAnnounce, TaskBid, TaskAward, TaskConfirm, TaskProgress, TaskTable)
 }
+_MOST_ROBOTS = 255  # of a task
 _LONGEST = 1 << 20  # of what comes out of a message, against one that was made to fill the memory
 
 
@@ -64,7 +66,10 @@ def _built(kind: Any, found: Any) -> Any:
         except (ValueError, TypeError):
             text = f"{kind.__name__}: {item.name} is {value!r}, legal: {item.type}"
             raise TaskError(text) from None
-    return kind(**values)
+    made = kind(**values)
+    if kind is TaskAnnounce:
+        check_fields(made, _MOST_ROBOTS)
+    return made
 
 
 def _exactly(*kinds: type) -> Callable[[Any], Any]:

@@ -12,6 +12,8 @@ from trident_fleet.core.tasks.intake import check_tasks, is_same
 from trident_fleet.core.tasks.messages import NOBODY, TaskAnnounce, TaskTable
 from trident_fleet.core.tasks.protocol import Guards, Team
 
+_MOST_PROBLEMS = 200  # texts, as each may quote something else
+
 
 class Follower:
     """A member's promise to one manager at a time, by epoch, and its book.
@@ -79,4 +81,6 @@ class Follower:
 
     def problem(self, text: str) -> None:
         """Bad input: counted by its text, which names field, value and legal range."""
+        if text not in self.problems and len(self.problems) >= _MOST_PROBLEMS:
+            text = "other bad input"
         self.problems[text] += 1

@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from trident_fleet.core.tasks.fields import Capabilities, TaskError, nobody_can
+from trident_fleet.core.tasks.fields import Capabilities, Requirements, TaskError, nobody_can
 from trident_fleet.core.tasks.messages import TaskAnnounce, TaskBid
 from trident_fleet.core.tasks.plan import Job
 
@@ -78,6 +78,8 @@ def check_fields(task: TaskAnnounce, robots: int) -> None:
             raise TaskError(f"{owner}: {name} is {value}, legal: finite, from 0")
     if not task.deadline_s > 0.0:
         raise TaskError(f"{owner}: deadline_s is {task.deadline_s}, legal: above 0")
+    if task.requirements:
+        Requirements.from_json(task.requirements, owner)
     if not 1 <= task.robots_needed <= max(robots, 1):
         raise TaskError(
             f"{owner}: robots_needed is {task.robots_needed}, legal: 1 ... {max(robots, 1)}"

@@ -105,6 +105,7 @@ class Plan:
         self.jobs: list[Job] = []
         self.version = 0
         self._found: dict[tuple[str, int], Insertion | None] = {}
+        self._own: list[Timing | None] = []  # of the route as it is, once it is known
 
     def copy(self) -> Plan:
         """The same route, to try something."""
@@ -115,8 +116,17 @@ class Plan:
     def moved(self, place: Point, now_s: float, energy_j: float | None = None) -> None:
         """The robot is here now, with this much energy left (None: as it was)."""
         self.place, self.now_s = place, now_s
-        self._found.clear()
+        self._forget()
         self.energy_j = self.energy_j if energy_j is None else energy_j
+
+    def _forget(self) -> None:
+        self._found.clear()
+        self._own.clear()
+
+    def _timing_now(self) -> Timing | None:
+        if not self._own:
+            self._own.append(self.timing())
+        return self._own[0]
 
     def lacks(self, job: Job) -> list[str]:
         """What the job asks and the robot has not."""
@@ -129,7 +139,7 @@ class Plan:
     def insert(self, job: Job, index: int) -> None:
         """Take a job into the route."""
         self.jobs.insert(index, job)
-        self._found.clear()
+        self._forget()
         self.version += 1
 
     def remove(self, task_id: str) -> None:
@@ -137,7 +147,7 @@ class Plan:
         kept = [job for job in self.jobs if job.task_id != task_id]
         self.version += len(kept) != len(self.jobs)
         self.jobs = kept
-        self._found.clear()
+        self._forget()
 
     def timing(self, jobs: Sequence[Job] | None = None) -> Timing | None:
         """Carry out a route in mind.
@@ -177,7 +187,7 @@ class Plan:
         return self._found[key]
 
     def _best_insertion(self, job: Job, first: int) -> Insertion | None:
-        before = self.timing()
+        before = self._timing_now()
         indices = sorted(
             range(min(first, len(self.jobs)), len(self.jobs) + 1),
             key=lambda index: self._detour(job, index),
@@ -190,7 +200,7 @@ class Plan:
 
     def last_insertion(self, job: Job) -> Insertion | None:
         """The job after all others; None if it does not fit, or lacks something."""
-        return None if self.lacks(job) else self._insertion(job, len(self.jobs), self.timing())
+        return None if self.lacks(job) else self._insertion(job, len(self.jobs), self._timing_now())
 
     def _detour(self, job: Job, index: int) -> float:
         """Additional path of the job at this place in the route [m]."""

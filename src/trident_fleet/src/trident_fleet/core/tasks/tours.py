@@ -48,6 +48,7 @@ class Tours:
     Attributes:
         lengths: from node to node, by robots that travel alike [m], shape (K, P, P); not
             symmetric where water moves. The end is anywhere: no path leads to it.
+        lengths_to: the same, to a node from the other.
         kind: which of these each robot has, shape (R,).
     """
 
@@ -66,6 +67,7 @@ class Tours:
         for table, travel in zip(self.lengths, ways.values(), strict=True):
             for row, column in itertools.permutations(range(len(points)), 2):
                 table[row, column] = travel(points[row], points[column])
+        self.lengths_to = np.ascontiguousarray(self.lengths.transpose(0, 2, 1))
         self.end = len(points)
         self.work = np.array([job.task.duration_s for job in self.jobs] + [0.0] * (len(plans) + 1))
         self.speed = np.array([plan.can.speed_m_s for plan in plans])

@@ -110,11 +110,13 @@ class Trades:
         work_s = np.array([tours.work[tours.routes[r][i : i + n]].sum() for r, i, n in rows])
         saved = d[own_kind, ends[:, 0], head] + d[own_kind, tail, ends[:, 1]]
         saved += forward_m[own_kind, np.arange(len(rows))] - d[own_kind, ends[:, 0], ends[:, 1]]
-        start, end, gap = edges.start, edges.end, d[kind, edges.start, edges.end]
-        forward = d[kind, start, head[:, None]] + forward_m.T[:, kind] + d[kind, tail[:, None], end]
-        backward = (
-            d[kind, start, tail[:, None]] + backward_m.T[:, kind] + d[kind, head[:, None], end]
+        gap = d[kind, edges.start, edges.end]
+        there, back = d[kind, edges.start], tours.lengths_to[kind, edges.end]
+        inner, turned = (
+            inner_m.T[:, kind] if len(d) > 1 else inner_m.T for inner_m in (forward_m, backward_m)
         )
+        forward = there[:, head].T + inner + back[:, tail].T
+        backward = there[:, tail].T + turned + back[:, head].T
         cost = np.minimum(forward, backward) - gap
         other = tours.loss(finish_s, route[:, None], -saved[:, None], -work_s[:, None])
         other = other + tours.loss(finish_s, edges.route[None], cost, work_s[:, None])
@@ -126,8 +128,9 @@ class Trades:
         )
         loss = np.where(same, np.where(inside, np.inf, own), other)
         for row, column in self._best(loss):
-            turned = backward[row, column] < forward[row, column]
-            yield self._moved(rows[row], int(edges.route[column]), int(edges.index[column]), turned)
+            is_turned = bool(backward[row, column] < forward[row, column])
+            to, index = int(edges.route[column]), int(edges.index[column])
+            yield self._moved(rows[row], to, index, is_turned)
 
     def _moved(self, segment: tuple[int, int, int], to: int, index: int, turned: bool) -> Change:
         route, first, length = segment
@@ -153,7 +156,7 @@ class Trades:
         after_m = so_far_m[:, last] - so_far_m
         after_s = work_s[edges.route] - edges.work_before_s
         # What a route becomes that goes on as the other one does, from the row's to the column's.
-        join = d[kind[:, None], edges.start[:, None], edges.end[None]] + after_m[kind]
+        join = d[kind, edges.start][:, edges.end] + after_m[kind]
         one_m = (edges.before_m - length_m[edges.route])[:, None] + join
         other_m = one_m.T
         more_s = after_s[None] - after_s[:, None]
@@ -185,8 +188,7 @@ class Trades:
         route, index, node, prev, after = self._tasks()
         kind = tours.kind[route]
         own_m = d[kind, prev, node] + d[kind, node, after]
-        row_kind = kind[:, None]
-        instead = d[row_kind, prev[:, None], node[None]] + d[row_kind, node[None], after[:, None]]
+        instead = d[kind, prev][:, node] + tours.lengths_to[kind, after][:, node]
         one_m = instead - own_m[:, None]
         more_s = tours.work[node][None] - tours.work[node][:, None]
         loss = tours.loss(finish_s, route[:, None], one_m, more_s)
@@ -206,8 +208,7 @@ class Trades:
         more_m = np.where(after == tours.end, 0.0, d[kind, after, node] - d[kind, node, after])
         before_m = np.concatenate([[0.0], np.cumsum(more_m)[:-1]])
         own_m = d[kind, prev, node][:, None] + d[kind, node, after][None]
-        row_kind = kind[:, None]
-        loss = d[row_kind, prev[:, None], node[None]] + d[row_kind, node[:, None], after[None]]
+        loss = d[kind, prev][:, node] + d[kind, node][:, after]
         loss = loss - own_m + before_m[None] - before_m[:, None]
         pair = (route[:, None] == route[None]) & (index[:, None] < index[None])
         loss = np.where(pair, loss, np.inf)
@@ -241,10 +242,9 @@ class Trades:
         tours, d = self._tours, self._tours.lengths
         while waiting:
             edges, finish_s = tours.edges(), tours.finish()
-            node = np.array(waiting)[:, None]
-            start, end = edges.start[None], edges.end[None]
-            kind = tours.kind[edges.route][None]
-            more_m = d[kind, start, node] + d[kind, node, end] - d[kind, start, end]
+            node, kind = np.array(waiting)[:, None], tours.kind[edges.route]
+            more_m = d[kind, edges.start][:, waiting].T - d[kind, edges.start, edges.end]
+            more_m = more_m + tours.lengths_to[kind, edges.end][:, waiting].T
             loss = tours.loss(finish_s, edges.route[None], more_m, tours.work[node])
             loss = np.where(tours.can[edges.route[None], node], loss, np.inf)
             firsts = np.flatnonzero(edges.index == 0)

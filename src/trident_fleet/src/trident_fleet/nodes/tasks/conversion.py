@@ -31,6 +31,7 @@ from trident_fleet.core.tasks.messages import (
 )
 from trident_ros import quoted, stamp_problem
 
+_MOST_EPOCH = 50_000  # a round has 16 bits for it, and later managers need some, too
 _MOST_ROBOTS = 255  # of a task, as its field is a byte
 
 
@@ -166,6 +167,12 @@ def from_ros(message: Any, frame: str) -> TaskMessage:
     return read
 
 
+def _legal_epoch(epoch: int) -> int:
+    if epoch > _MOST_EPOCH:
+        raise TaskError(f"epoch is {epoch}, legal: 0 ... {_MOST_EPOCH}")
+    return epoch
+
+
 def _seconds(name: str, stamp: Any) -> float:
     problem = stamp_problem(stamp)
     if problem:
@@ -224,7 +231,7 @@ def _read_award(message: ros.TaskAward, stamp_s: float, _: str) -> TaskAward:
         message.robot_id,
         message.cost,
         tuple(message.order),
-        message.epoch,
+        _legal_epoch(message.epoch),
         _seconds("lease_until", message.lease_until),
     )
 
@@ -270,12 +277,12 @@ def _read_table(message: ros.TaskTable, stamp_s: float, frame: str) -> TaskTable
             _known_state(one.state),
             one.robot_id,
             one.round,
-            one.epoch,
+            _legal_epoch(one.epoch),
             _seconds("lease_until", one.lease_until),
         )
         for one in message.tasks
     )
-    return TaskTable(stamp_s, message.manager, message.epoch, tasks)
+    return TaskTable(stamp_s, message.manager, _legal_epoch(message.epoch), tasks)
 
 
 _READERS: dict[type, Callable[[Any, float, str], Any]] = {

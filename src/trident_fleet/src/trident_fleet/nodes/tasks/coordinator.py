@@ -80,14 +80,17 @@ class Coordinator:
                 return
 
     def _step(self) -> None:
-        if self._worker is not None and not self._pose.try_subscribe(self._take_pose):
-            return
-        if self._worker is not None and self._place is None:
+        if self._worker is not None and not self._knows_its_place():
+            # It must not bid; what it does not hear is said again.
+            self._port.receive()
             return
         self._member.spin()
         if self._worker is not None and self._place is not None:
             self._drive(self._worker, self._place)
         self._report()
+
+    def _knows_its_place(self) -> bool:
+        return self._pose.try_subscribe(self._take_pose) and self._place is not None
 
     def _drive(self, worker: Worker, place: Point) -> None:
         now_s = self._port.now()

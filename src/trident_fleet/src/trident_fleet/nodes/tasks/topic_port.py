@@ -98,6 +98,9 @@ class TopicPort:
         made = to_ros(message, self.name, self._frame)
         try:
             self._publishers[type(made)].publish(made)
+        except rospy.ROSSerializationException as error:
+            # A number that its field cannot hold: an epoch that somebody has driven up.
+            self._refusals.note("message not sent", f"{type(made).__name__} not sent: {error}")
         except rospy.ROSException:
             # Topics close when rospy begins to shut down.
             if not rospy.core.is_shutdown_requested():
