@@ -81,7 +81,7 @@ def test_a_short_form_of_the_days_is_measured(tmp_path: Path) -> None:
     ],
 )
 def test_days_are_judged(changed: dict[str, Any], passed: bool) -> None:
-    usual = {"stuck": (), "lost": (), "told": {}, "broken": "", "messages": 700}
+    usual = {"stuck": (), "lost": (), "reported": {}, "broken": "", "messages": 700}
     days = [Day(**{"seed": 4, "finish_s": 50.0, "lossless_s": 20.0} | usual | changed)]
     row = judged(days)
     assert row["passed"] == passed

@@ -234,9 +234,13 @@ def test_vessels_in_a_current_begin_upstream() -> None:
 def test_a_trade_is_worth_what_its_price_says_where_paths_are_not_symmetric(seed: int) -> None:
     random = Random(seed)
     team, tasks = instance(4, 12, seed)
-    ways = [InCurrent(lambda _: (0.4, -0.2), 1.0), InCurrent(lambda _: (0.0, 0.5), 2.0), math.dist]
+    travels = [
+        InCurrent(lambda _: (0.4, -0.2), 1.0),
+        InCurrent(lambda _: (0.0, 0.5), 2.0),
+        math.dist,
+    ]
     plans = [
-        Plan(name, can, place, ways[index % 3])
+        Plan(name, can, place, travels[index % 3])
         for index, (name, (can, place)) in enumerate(team.items())
     ]
     for task in tasks:

@@ -62,7 +62,7 @@ def test_bytes_that_are_no_message(data: bytes) -> None:
         ({"value": True}, "TaskAnnounce: value is True, legal: float"),
         ({"after": "b"}, r"TaskAnnounce: after is 'b', legal: tuple\[str, ...\]"),
         ({"requirements": "{"}, "task 'a': requirements are no JSON"),
-        ({"kind": None}, "TaskAnnounce: kind is None, legal: str"),
+        ({"kind": 5}, "TaskAnnounce: kind is 5, legal: str"),
     ],
 )
 def test_fields_of_another_type(changed: dict[str, object], message: str) -> None:

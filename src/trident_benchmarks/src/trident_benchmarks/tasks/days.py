@@ -26,11 +26,11 @@ class Day:
 
     Attributes:
         seed: of all of it.
-        finish_s: when every task was done, or told as one that is not [s].
+        finish_s: when every task was done, or reported as one that is not [s].
         lossless_s: the same, if nothing befalls the team [s].
         stuck: tasks that were neither at the end.
-        lost: tasks that were not done, and nobody has told.
-        told: tasks that were not done, with the reason.
+        lost: tasks that were not done, and nobody has reported.
+        reported: tasks that were not done, with the reason.
         broken: the invariant that did not hold.
         messages: that were sent.
     """
@@ -40,7 +40,7 @@ class Day:
     lossless_s: float
     stuck: tuple[str, ...]
     lost: tuple[str, ...]
-    told: dict[str, str]
+    reported: dict[str, str]
     broken: str
     messages: int
 
@@ -55,14 +55,14 @@ def a_day(seed: int) -> Day:
         finish_s, broken = made.rehearsal.channel.now(), str(error)
     lossless_s = asked_scene(seed, method=DEFAULT, robots=ROBOTS, tasks=TASKS).run(_UNTIL_S)
     stuck = () if broken else tuple(made.rehearsal.open_tasks())
-    told = _told(made)
+    reported = _reported(made)
     done = {task_id for _, task_id, _ in made.rehearsal.happened.done}
-    lost = tuple(name for name in made.watch.tasks if name not in done and name not in told)
+    lost = tuple(name for name in made.watch.tasks if name not in done and name not in reported)
     sent = made.rehearsal.channel.counts["sent"]
-    return Day(seed, finish_s, lossless_s, stuck, () if broken else lost, told, broken, sent)
+    return Day(seed, finish_s, lossless_s, stuck, () if broken else lost, reported, broken, sent)
 
 
-def _told(made: Scene) -> dict[str, str]:
+def _reported(made: Scene) -> dict[str, str]:
     member = made.rehearsal.manager()
     return {} if member is None or member.manager is None else dict(member.manager.ledger.reasons)
 
@@ -97,7 +97,7 @@ def judged(found: list[Day]) -> dict[str, Any]:
         "ratio_mean": float(np.mean(ratios)),
         "ratio_p95": float(np.percentile(ratios, 95)),
         "slowest_seed": found[int(np.argmax(ratios))].seed,
-        "told": sum(len(day.told) for day in found),
+        "reported": sum(len(day.reported) for day in found),
         "messages_per_task": float(np.mean([day.messages for day in found])) / TASKS,
         "bad": bad,
         "limits": limits,

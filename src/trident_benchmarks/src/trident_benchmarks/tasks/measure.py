@@ -55,7 +55,7 @@ def _days_line(row: dict[str, Any]) -> str:
         f"{row['broken']} with an invariant broken (limits 0); finish over that without losses: "
         f"mean {row['ratio_mean']:.2f}, 95 % {row['ratio_p95']:.2f}, worst {row['ratio']:.2f} "
         f"(limit {days.RATIO:g}); {row['messages_per_task']:.0f} messages a task; "
-        f"{row['told']} tasks told as not done"
+        f"{row['reported']} tasks reported as not done"
     )
 
 

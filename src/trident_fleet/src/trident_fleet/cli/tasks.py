@@ -26,7 +26,7 @@ from trident_ros import Refusals, init_node
 _POLL_S = 0.1
 _WORDS = {
     State.AWARDED: "awarded",
-    State.ACTIVE: "under way",
+    State.ACTIVE: "active",
     State.DONE: "done",
     State.FAILED: "given up",
     State.WITHDRAWN: "waits",

@@ -64,9 +64,10 @@ def allocate(
         TaskError: of a task that is not legal.
     """
     check_tasks(tasks, {}, {name: can for name, (can, _) in robots.items()})
-    ways = travel if isinstance(travel, Mapping) else dict.fromkeys(robots, travel)
+    travels = travel if isinstance(travel, Mapping) else dict.fromkeys(robots, travel)
     plans = {
-        name: Plan(name, can, place, ways[name], objective) for name, (can, place) in robots.items()
+        name: Plan(name, can, place, travels[name], objective)
+        for name, (can, place) in robots.items()
     }
     waiting = [Job.of(task) for task in tasks if not is_bound(task)]
     messages = _auctions(plans, waiting, method)

@@ -20,7 +20,7 @@ class InCurrent:
     """The path through the water of a vessel that keeps to the straight line over ground.
 
     It points into the current so that it does not leave the line: over ground it makes what is left
-    of its speed, and what the water adds along the line. So the way back may be longer.
+    of its speed, and what the water adds along the line. So the path back may be longer.
     """
 
     def __init__(self, current: Current, speed_m_s: float) -> None:

@@ -50,7 +50,7 @@ def check_tasks(
 
 
 def is_same(one: TaskAnnounce, other: TaskAnnounce) -> bool:
-    """Whether two announcements are of one task, whoever holds which auction of it."""
+    """Whether two announcements are of one task, in any auction of it."""
     auction = {
         name: getattr(other, name) for name in ("stamp_s", "manager", "round", "bids_until_s")
     }

@@ -61,10 +61,12 @@ class Tours:
         number = {job.task_id: index for index, job in enumerate(self.jobs)}
         self.routes = [[number[job.task_id] for job in plan.jobs] for plan in plans]
         points = [job.task.place for job in self.jobs] + [plan.place for plan in plans]
-        ways = {id(plan.travel): plan.travel for plan in plans}
-        self.kind = np.array([list(ways).index(id(plan.travel)) for plan in plans], dtype=np.intp)
-        self.lengths = np.zeros((len(ways), len(points) + 1, len(points) + 1))
-        for table, travel in zip(self.lengths, ways.values(), strict=True):
+        travels = {id(plan.travel): plan.travel for plan in plans}
+        self.kind = np.array(
+            [list(travels).index(id(plan.travel)) for plan in plans], dtype=np.intp
+        )
+        self.lengths = np.zeros((len(travels), len(points) + 1, len(points) + 1))
+        for table, travel in zip(self.lengths, travels.values(), strict=True):
             for row, column in itertools.permutations(range(len(points)), 2):
                 table[row, column] = travel(points[row], points[column])
         self.lengths_to = np.ascontiguousarray(self.lengths.transpose(0, 2, 1))

@@ -155,7 +155,7 @@ class Trades:
         last = np.searchsorted(edges.route, edges.route, side="right") - 1
         after_m = so_far_m[:, last] - so_far_m
         after_s = work_s[edges.route] - edges.work_before_s
-        # What a route becomes that goes on as the other one does, from the row's to the column's.
+        # What a route becomes that ends as the other one does: from the row to the column.
         join = d[kind, edges.start][:, edges.end] + after_m[kind]
         one_m = (edges.before_m - length_m[edges.route])[:, None] + join
         other_m = one_m.T

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Entry point of a member of a team that shares out tasks: a robot, a manager, or both.
 
-It gives no set-points: it says where its robot should be, and whoever drives the robot there is
+It gives no set-points: it says where its robot should be, and the node that drives it there is
 enrolled in the lockstep. It looks at what is due at every multiple of `~step` of simulated time.
 """
 
@@ -46,7 +46,7 @@ class Coordinator:
         self._place: Point | None = None
         self._goal: Point | None = None
         self._said: Counter[str] = Counter()
-        self._told: set[str] = set()
+        self._reported: set[str] = set()
         self._pose = LeaderTopic(settings.pose_topic, settings.name)
         self._goals = rospy.Publisher(settings.goal_topic, PoseStamped, queue_size=1, latch=True)
         self._start(False)
@@ -73,7 +73,9 @@ class Coordinator:
             try:
                 rate.sleep()
             except rospy.ROSTimeMovedBackwardsException:
-                self._refusals.note("/clock went back", "/clock went back: this member starts anew")
+                self._refusals.note(
+                    "/clock went back", "/clock went back: this member starts again"
+                )
                 rate = rospy.Rate(1.0 / self._settings.step_s)
                 self._start(True)
             except rospy.ROSInterruptException:
@@ -131,9 +133,9 @@ class Coordinator:
         if manager is not None and manager.on_duty:
             for task_id, reason in manager.ledger.reasons.items():
                 text = f"task {task_id}: {reason}"
-                if text not in self._told:
+                if text not in self._reported:
                     rospy.logwarn(text)
-                self._told.add(text)
+                self._reported.add(text)
 
 
 def main() -> int:

@@ -3,9 +3,10 @@
 """Bundles of tasks, each bid for on the condition of those before it.
 
 Source: H.-L. Choi, L. Brunet, J. P. How, Consensus-based decentralized auctions for robust task
-allocation, IEEE Trans. Robotics 25(4), 2009. There, robots agree on the winning bids by
-telling their neighbors; here, all bids go to the manager, whose table says who has won what. So the
-result is that of their algorithm once it has converged, and not the way to it.
+allocation, IEEE Trans. Robotics 25(4), 2009. There, robots pass the highest bids on to their
+neighbors until all agree. Here, all bids come to the manager, and its table says who has won what:
+the result is that of the paper's algorithm once it has converged, but a robot that hears no manager
+wins nothing.
 """
 
 from __future__ import annotations
