@@ -22,7 +22,7 @@ from trident_fleet.core.tasks.messages import Point, TaskAnnounce
 from trident_fleet.core.tasks.methods import METHODS
 from trident_fleet.core.tasks.methods.auction import auction_pairs
 from trident_fleet.core.tasks.plan import Job, Objective, Plan
-from trident_fleet.core.tasks.trades import Trades
+from trident_fleet.core.tasks.trading.trades import Trades
 from trident_fleet.core.tasks.trials.exact import exact
 from trident_fleet.core.tasks.trials.instances import random_instance
 from trident_fleet.core.tasks.trials.scenes import LOSSY, PERFECT, scene

@@ -142,10 +142,14 @@ def test_the_invariants_find_a_broken_guard(guard: str) -> None:
 class TeamMachine(RuleBasedStateMachine):
     """Whatever befalls a team, in whatever order, the invariants hold, and it ends."""
 
-    @initialize(seed=st.integers(0, 1000), loss=st.sampled_from([0.0, 0.3]))
-    def start(self, seed: int, loss: float) -> None:
+    @initialize(
+        seed=st.integers(0, 1000),
+        loss=st.sampled_from([0.0, 0.3]),
+        method=st.sampled_from(["plain", "improved"]),
+    )
+    def start(self, seed: int, loss: float, method: str) -> None:
         model = LinkModel(loss=loss, double=0.2, late=0.1, late_s=1.5)
-        self.made: Scene = scene(seed, model, tasks=5)
+        self.made: Scene = scene(seed, model, method, tasks=5)
         self.lost: set[str] = set()
 
     @rule(steps=st.integers(1, 20))

@@ -48,12 +48,14 @@ class Day:
 def a_day(seed: int) -> Day:
     """One day, and the same without anything that befalls."""
     made = hard_day(seed, DEFAULT, robots=ROBOTS, tasks=TASKS)
+    lossless = asked_scene(seed, method=DEFAULT, robots=ROBOTS, tasks=TASKS)
     broken = ""
-    try:
-        finish_s = made.run(_UNTIL_S)
-    except BrokenError as error:
-        finish_s, broken = made.rehearsal.channel.now(), str(error)
-    lossless_s = asked_scene(seed, method=DEFAULT, robots=ROBOTS, tasks=TASKS).run(_UNTIL_S)
+    for scene in (made, lossless):
+        try:
+            scene.run(_UNTIL_S)
+        except BrokenError as error:
+            broken = str(error)
+    finish_s, lossless_s = (scene.rehearsal.channel.now() for scene in (made, lossless))
     stuck = () if broken else tuple(made.rehearsal.open_tasks())
     reported = _reported(made)
     done = {task_id for _, task_id, _ in made.rehearsal.happened.done}

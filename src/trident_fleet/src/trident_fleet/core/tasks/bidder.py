@@ -119,7 +119,9 @@ class Bidder:
     def forget_sold(self, task_id: str, states: list[TaskState]) -> None:
         """What another robot has won is not on offer: bid for something else instead."""
         job = self._open.get(task_id)
-        sold = states[0].state is not State.WITHDRAWN or states[0].round > self._round(job)
+        known, is_free = self._round(job), states[0].state is State.WITHDRAWN
+        # What somebody has by an older round than that on offer is for sale.
+        sold = states[0].round > known or (states[0].round == known and not is_free)
         if job is not None and sold:
             del self._open[task_id]
             self._version = None

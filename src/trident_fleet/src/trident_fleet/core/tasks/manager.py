@@ -38,6 +38,7 @@ from trident_fleet.core.tasks.messages import (
 from trident_fleet.core.tasks.methods.base import Method, Offer
 from trident_fleet.core.tasks.plan import Job
 from trident_fleet.core.tasks.protocol import Sent, needs_permission
+from trident_fleet.core.tasks.trading.resale import Resale
 
 
 class Manager:
@@ -57,6 +58,7 @@ class Manager:
         self.on_duty = False
         self.ledger = Ledger(follower, now_s)
         self._auctions = Auctions(name, method, self.team, self.guards)
+        self._resale = Resale(name, self.times, self.guards)
         self._next_table_s = now_s
         self._followers: set[str] = set()
         self._heard_s: dict[str, float] = {}
@@ -100,6 +102,7 @@ class Manager:
         self._followers = {self.name} if follower.vouches else set()
         self.ledger.start(now_s)
         self._auctions = Auctions(self.name, self.method, self.team, self.guards)
+        self._resale = Resale(self.name, self.times, self.guards)
         return self._table(now_s)
 
     def on_message(self, source: str, message: TaskMessage, now_s: float) -> list[Sent]:
@@ -126,7 +129,7 @@ class Manager:
             return self.take_over(now_s) if late else []
         self.ledger.end_leases(now_s)
         self.ledger.permit()
-        sent = self._hold_auctions(now_s)
+        sent = self._hold_auctions(now_s) + self._hold_sales(now_s)
         if now_s >= self._next_table_s or sent:
             sent += self._table(now_s)
         return sent
@@ -183,8 +186,11 @@ class Manager:
 
     def _on_bid(self, source: str, bid: TaskBid, now_s: float) -> None:
         problem = refuse_bid(bid, source, self.team.robots)
-        if bid.task_id not in self.follower.book.records:
+        record = self.follower.book.records.get(bid.task_id)
+        if record is None:
             problem = f"bid of {source}: task_id is {bid.task_id!r}, legal: {self._names()}"
+        elif problem is None and (self._resale.bid(bid, now_s) or self._resale.offer(bid, record)):
+            return
         problem = problem or self._auctions.bid(bid, now_s)
         if problem is not None:
             self.follower.problem(problem)
@@ -219,6 +225,19 @@ class Manager:
                 record.task = self._auctions.announce(job, record.round, now_s)
                 sent.append(Sent(record.task))
         sent += [Sent(task) for task in self._auctions.announcements_due(now_s)]
+        return sent
+
+    def _hold_sales(self, now_s: float) -> list[Sent]:
+        """What robots would rather give to others changes hands, or stays with them."""
+        records, sent = self.follower.book.records, []
+        for job, offer in self._resale.decide(records, now_s):
+            record = records[job.task_id]
+            record.round, record.task = job.task.round, job.task
+            record.holders = {}
+            sent += self._award(job, [offer], now_s)
+        if self.ledger.quorum(self._followers):
+            opened = self._resale.open(records, self.follower.epoch, now_s)
+            sent += [Sent(task) for task in opened]
         return sent
 
     def _waiting(self, now_s: float) -> list[Job]:

@@ -89,7 +89,7 @@ class TaskBid:
         cost: what the objective would lose; at least 0.
         start_s: when it would be at the place [s].
         energy: that the robot would spend on it [J].
-        bundle: tasks that it would do before this one.
+        bundle: tasks that it would do before this one; itself: the robot has it, and offers it.
         version: of the robot's plan: grows with each change of it.
         withdraw: the bid before counts no more.
     """

@@ -198,6 +198,14 @@ class Plan:
                 return found
         return None
 
+    def saving(self, task_id: str) -> float:
+        """How much shorter the path would be without a task of the route [m], at least 0."""
+        now, without = (
+            self.timing(jobs)
+            for jobs in (self.jobs, [job for job in self.jobs if job.task_id != task_id])
+        )
+        return max(now.length_m - without.length_m, 0.0) if now and without else 0.0
+
     def last_insertion(self, job: Job) -> Insertion | None:
         """The job after all others; None if it does not fit, or lacks something."""
         return None if self.lacks(job) else self._insertion(job, len(self.jobs), self._timing_now())

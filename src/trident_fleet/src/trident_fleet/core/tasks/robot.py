@@ -19,6 +19,7 @@ from trident_fleet.core.tasks.messages import (
     State,
     TaskAnnounce,
     TaskAward,
+    TaskBid,
     TaskConfirm,
     TaskMessage,
     TaskProgress,
@@ -27,8 +28,11 @@ from trident_fleet.core.tasks.messages import (
     epoch_of,
 )
 from trident_fleet.core.tasks.methods.base import Method
-from trident_fleet.core.tasks.plan import Job, Plan
+from trident_fleet.core.tasks.plan import Job, Objective, Plan
 from trident_fleet.core.tasks.protocol import Sent, needs_permission
+from trident_fleet.core.tasks.trading.resale import hold_s
+
+_MOST_OFFERS = 2  # of one task by one robot
 
 
 @dataclass
@@ -43,6 +47,8 @@ class Holding:
         asked: the robot would begin.
         granted: the manager has said that it may.
         begun: it works on it.
+        offers: how often the robot has offered it to others.
+        offered_until_s: it is not begun before [s], as another robot may get it.
     """
 
     job: Job
@@ -52,6 +58,8 @@ class Holding:
     asked: bool = False
     granted: bool = False
     begun: bool = False
+    offers: int = 0
+    offered_until_s: float = 0.0
 
 
 class Robot:
@@ -70,7 +78,7 @@ class Robot:
         self.holdings: dict[str, Holding] = {}
         self._ended: dict[str, TaskProgress] = {}
         self._bidder = Bidder(plan, method, follower)
-        self._next_table_s = self._next_report_s = 0.0
+        self._next_table_s = self._next_report_s = self._next_offer_s = 0.0
 
     def on_message(self, source: str, message: TaskMessage, now_s: float) -> list[Sent]:
         """Take in what somebody else has sent."""
@@ -86,7 +94,7 @@ class Robot:
     def on_time(self, now_s: float) -> list[Sent]:
         """What is due by now."""
         self._drop_what_is_over(now_s)
-        sent = self._bidder.bid(now_s, self._fixed())
+        sent = self._bidder.bid(now_s, self._fixed()) + self._offer(now_s)
         if now_s >= self._next_report_s:
             self._next_report_s = now_s + self.times.retry_s
             sent += [Sent(report) for report in self._reports(now_s)]
@@ -110,7 +118,7 @@ class Robot:
         begun = [one for one in held if one.begun]
         if begun:
             return begun[0]
-        ready = [one for one in held if self._may_come_next(one)]
+        ready = [one for one in held if self._may_come_next(one) and now_s >= one.offered_until_s]
         alone = [one for one in ready if one.job.task.robots_needed == 1]
         common = sorted(
             (one for one in ready if one.job.task.robots_needed > 1),
@@ -125,7 +133,7 @@ class Robot:
         """The robot is at the place of a task: whether it may begin, and then has begun."""
         self._drop_what_is_over(now_s)
         held = self.holdings.get(task_id)
-        if held is None or now_s < held.job.asked.not_before_s:
+        if held is None or now_s < max(held.job.asked.not_before_s, held.offered_until_s):
             return False
         held.asked = True
         if not held.begun:
@@ -201,6 +209,40 @@ class Robot:
             together = self.guards.all_there(len(states), held.job.task.robots_needed)
             active = all(one.state in (State.ACTIVE, State.DONE) for one in states)
             held.granted |= together and active
+
+    def _offer(self, now_s: float) -> list[Sent]:
+        """Offer the task that takes the longest detour, if the method has tasks change hands.
+
+        Not the first one, to which the robot is on its path, and none again by the same plan.
+        """
+        if not self.method.resells or now_s < self._next_offer_s or not self.follower.manager:
+            return []
+        self._next_offer_s = now_s + hold_s(self.times)
+        prices = [
+            (self.plan.saving(job.task_id), job.task_id, self.holdings[job.task_id])
+            for job in self.plan.jobs[1:]
+            if self.plan.objective is Objective.SUM and job.task.robots_needed == 1
+        ]
+        prices = [
+            (price, task_id, held)
+            for price, task_id, held in prices
+            if held.offers < _MOST_OFFERS and not held.asked
+        ]
+        if not prices:
+            return []
+        price, task_id, held = max(prices, key=lambda one: (-one[2].offers, *one[:2]))
+        held.offers += 1
+        held.offered_until_s = now_s + hold_s(self.times)
+        offer = TaskBid(
+            now_s,
+            task_id,
+            held.round,
+            self.name,
+            price,
+            bundle=(task_id,),
+            version=self.plan.version,
+        )
+        return [Sent(offer, self.follower.manager)]
 
     def _may_come_next(self, held: Holding) -> bool:
         return self.guards.after_done(held.job.task.after, self.follower.book.done())

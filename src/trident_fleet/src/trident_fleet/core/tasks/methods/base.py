@@ -44,10 +44,12 @@ class Method(Protocol):
     Attributes:
         name: by which users choose it.
         one_each: a robot has one task at a time.
+        resells: what was won is auctioned again while robots travel.
     """
 
     name: str
     one_each: bool
+    resells: bool
 
     def offered(self, open_tasks: Sequence[Job]) -> Sequence[Job]:
         """Which of the tasks that nobody has are announced now."""

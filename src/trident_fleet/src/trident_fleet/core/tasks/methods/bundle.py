@@ -25,6 +25,7 @@ class Bundle:
 
     name = "bundle"
     one_each = False
+    resells = False
 
     def offered(self, open_tasks: Sequence[Job]) -> Sequence[Job]:
         """All of them."""

@@ -9,13 +9,14 @@ from collections.abc import Sequence
 from trident_fleet.core.tasks.methods.base import Offer, by_cost
 from trident_fleet.core.tasks.methods.sequential import Sequential
 from trident_fleet.core.tasks.plan import Plan
-from trident_fleet.core.tasks.trades import Trades
+from trident_fleet.core.tasks.trading.trades import Trades
 
 
 class Improved(Sequential):
     """As in sequential auctions, but with several winners at once, and trades afterwards."""
 
     name = "improved"
+    resells = True
 
     def winners(self, offers: Sequence[Offer]) -> list[Offer]:
         """The lowest bids in order, up to the first that a robot would make otherwise now."""

@@ -15,6 +15,7 @@ class Nearest:
 
     name = "nearest"
     one_each = False
+    resells = False
 
     def offered(self, open_tasks: Sequence[Job]) -> Sequence[Job]:
         """The first."""

@@ -21,6 +21,7 @@ class Optimal:
 
     name = "optimal"
     one_each = True
+    resells = False
 
     def offered(self, open_tasks: Sequence[Job]) -> Sequence[Job]:
         """All of them."""

@@ -18,6 +18,7 @@ class Plain:
 
     name = "plain"
     one_each = False
+    resells = False
 
     def offered(self, open_tasks: Sequence[Job]) -> Sequence[Job]:
         """The first."""

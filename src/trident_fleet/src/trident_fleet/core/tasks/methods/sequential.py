@@ -19,6 +19,7 @@ class Sequential:
 
     name = "sequential"
     one_each = False
+    resells = False
 
     def offered(self, open_tasks: Sequence[Job]) -> Sequence[Job]:
         """All of them."""

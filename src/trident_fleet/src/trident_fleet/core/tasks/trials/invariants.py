@@ -103,7 +103,8 @@ class Watch:
         held = robot.holdings.get(task.task_id)
         now_s = self.rehearsal.channel.now()
         follows = self.rehearsal.members[name].follower.epoch == epoch_of(auction)
-        if follows and held is not None and held.round == auction and held.lease_until_s > now_s:
+        claims = held is not None and held.round == auction and held.lease_until_s > now_s
+        if follows and claims and held is not None and held.offered_until_s <= now_s:
             raise BrokenError(f"{task.task_id} was taken from {name} while its lease ran")
         ended = robot._ended.get(task.task_id)
         said = ended is not None and ended.round == auction and ended.state is not State.DONE

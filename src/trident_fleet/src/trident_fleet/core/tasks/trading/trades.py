@@ -19,7 +19,7 @@ import numpy as np
 
 from trident_fleet.core.quintic import Array
 from trident_fleet.core.tasks.plan import Plan
-from trident_fleet.core.tasks.tours import Edges, Index, Tours
+from trident_fleet.core.tasks.trading.tours import Edges, Index, Tours
 
 _SEGMENTS = (1, 2, 3)
 _TRADE_MESSAGES = 6  # two bids, award and confirmation of each of two robots
