@@ -16,7 +16,7 @@ from trident_fleet.core.tasks.trials.invariants import BrokenError
 from trident_fleet.core.tasks.trials.scenes import Scene, asked_scene, hard_day
 
 RATIO = 3.0  # limit of the finish over that of the same day without any loss or death
-ROBOTS, TASKS = 5, 20
+ROBOTS, TASKS, WORK_S = 5, 20, 6.0
 _UNTIL_S = 600.0
 
 
@@ -47,8 +47,8 @@ class Day:
 
 def a_day(seed: int) -> Day:
     """One day, and the same without anything that befalls."""
-    made = hard_day(seed, DEFAULT, robots=ROBOTS, tasks=TASKS)
-    lossless = asked_scene(seed, method=DEFAULT, robots=ROBOTS, tasks=TASKS)
+    made = hard_day(seed, DEFAULT, robots=ROBOTS, tasks=TASKS, work_s=WORK_S)
+    lossless = asked_scene(seed, method=DEFAULT, robots=ROBOTS, tasks=TASKS, work_s=WORK_S)
     broken = ""
     for scene in (made, lossless):
         try:
@@ -92,7 +92,7 @@ def judged(found: list[Day]) -> dict[str, Any]:
     ]
     return {
         "suite": "days",
-        "row": f"{ROBOTS} robots, {TASKS} tasks",
+        "row": f"{ROBOTS} robots, {TASKS} tasks of {WORK_S:g} s",
         "method": DEFAULT,
         "days": len(found),
         **figures,

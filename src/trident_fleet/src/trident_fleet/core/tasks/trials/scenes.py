@@ -28,7 +28,7 @@ def capabilities(index: int) -> Capabilities:
     return Capabilities("ground", ("dig",) if index % 3 else (), speed_m_s=8.0)
 
 
-def some_tasks(random: Random, count: int) -> list[TaskAnnounce]:
+def some_tasks(random: Random, count: int, work_s: float = 1.0) -> list[TaskAnnounce]:
     """Of all kinds: repeatable or not, alone or together, one after the other, with skills."""
     return [
         TaskAnnounce(
@@ -39,7 +39,7 @@ def some_tasks(random: Random, count: int) -> list[TaskAnnounce]:
             "visit",
             Requirements(skills=("dig",) if index % 4 == 1 else ()).to_json(),
             (random.uniform(0.0, 60.0), random.uniform(0.0, 60.0), 0.0),
-            1.0,
+            work_s,
             after=("t0",) if index == 3 else (),
             robots_needed=2 if index == 4 else 1,
             repeatable=index % 2 == 0,
@@ -98,11 +98,12 @@ def asked_scene(
     robots: int = 5,
     tasks: int = 6,
     guards: Callable[[str], Guards] | None = None,
+    work_s: float = 1.0,
 ) -> Scene:
     """The same where a user asks for the tasks over the network, and nobody has heard it yet."""
     random = Random(seed)
     rehearsal = _rehearsal(random, seed, model, method, robots, guards)
-    work = some_tasks(random, tasks)
+    work = some_tasks(random, tasks, work_s)
     assert rehearsal.requests is not None
     rehearsal.requests.add(work)
     return Scene(rehearsal, Watch(rehearsal, work))
@@ -130,9 +131,10 @@ def hard_day(
     model: LinkModel = LOSSY,
     robots: int = 5,
     tasks: int = 6,
+    work_s: float = 1.0,
 ) -> Scene:
     """Loss, doubles, late ones, one partition, the death of the manager and of a robot."""
-    made = asked_scene(seed, model, method, robots, tasks, guards)
+    made = asked_scene(seed, model, method, robots, tasks, guards, work_s)
     random, rehearsal = Random(f"hard {seed}"), made.rehearsal
     names = sorted(rehearsal.members)
     part = random.sample(names, 2)
