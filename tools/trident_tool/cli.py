@@ -59,6 +59,7 @@ COMMANDS = (
     "slam",
     "view",
     "links",
+    "task",
     "nmea",
     "latency",
     "modbus",

@@ -19,14 +19,16 @@ def add_task_command(add: Callable[[str, Handler, str], argparse.ArgumentParser]
     sub = add("task", _cmd_task, "ask a running team for a task, cancel one, or list them")
     sub.add_argument(
         "words",
-        nargs=argparse.REMAINDER,
+        nargs="+",
         metavar="add|cancel|list …",
         help="add ID X Y Z [--kind, --requirements, --duration, --deadline, --value, --after, "
-        "--robots, --repeatable]; cancel ID; list; add --help explains them",
+        "--robots, --repeatable]; cancel ID; list",
     )
+    sub.set_defaults(passes_on=True)
 
 
 def _cmd_task(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
+    words = [word for word in options.argv if word != "--dry-run"][1:]
     if runner.dry_run:
-        return runner.run(["/usr/bin/python3", "-m", _MODULE, *options.words])
-    return run_at_master(workspace, runner, _MODULE, options.words)
+        return runner.run(["/usr/bin/python3", "-m", _MODULE, *words])
+    return run_at_master(workspace, runner, _MODULE, words)
