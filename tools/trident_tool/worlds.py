@@ -40,6 +40,8 @@ def add_world_commands(add: Callable[[str, Handler, str], argparse.ArgumentParse
     sub.add_argument("--seed", type=int, metavar="N", help="default 1, as those of worlds/")
     sub.add_argument("--length", type=float, metavar="M", help="along x")
     sub.add_argument("--width", type=float, metavar="M", help="along y")
+    sub.add_argument("--covers", type=int, metavar="N", help="roofs and groves, of a coast")
+    sub.add_argument("--casualties", type=int, metavar="N", help="people to find, on a coast")
     sub.add_argument("--out", type=Path, metavar="FOLDER", help="default: here")
 
 
@@ -54,5 +56,5 @@ def _cmd_worldmap(workspace: Workspace, runner: Runner, options: argparse.Namesp
 
 
 def _cmd_worldgen(workspace: Workspace, runner: Runner, options: argparse.Namespace) -> int:
-    given = option_words(options, ("seed", "length", "width", "out"))
+    given = option_words(options, ("seed", "length", "width", "covers", "casualties", "out"))
     return run_module(workspace, runner, "trident_worldgen", [options.kind, *given])

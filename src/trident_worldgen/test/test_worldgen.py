@@ -174,7 +174,9 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert main([*words[:4], "3", "--out", str(tmp_path)]) == 2
     assert "length: 3 m, legal" in capsys.readouterr().err
     assert main(["coast", "--length", "200", "--out", str(tmp_path)]) == 2
-    assert "--length: a coast has no such size" in capsys.readouterr().err
+    assert "length: 200 m, legal: 300 to 800 m" in capsys.readouterr().err
+    assert main(["cylinders", "--length", "20", "--out", str(tmp_path)]) == 2
+    assert "--length: a cylinders has no such thing" in capsys.readouterr().err
     (tmp_path / "file").write_text("")
     assert main(["office", "--out", str(tmp_path / "file")]) == 2
     assert "cannot be written" in capsys.readouterr().err

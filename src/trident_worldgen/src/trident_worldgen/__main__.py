@@ -36,13 +36,16 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--seed", type=int, default=1, help="default 1")
     parser.add_argument("--length", type=float, metavar="M", help="along x")
     parser.add_argument("--width", type=float, metavar="M", help="along y")
+    parser.add_argument("--covers", type=int, metavar="N", help="roofs and groves, of a coast")
+    parser.add_argument("--casualties", type=int, metavar="N", help="people to find, on a coast")
     parser.add_argument("--out", type=Path, default=Path(), metavar="FOLDER", help="default: here")
     return parser
 
 
 def _sizes(options: argparse.Namespace) -> dict[str, float]:
-    """Those that were given, by name [m]."""
-    given = {name: getattr(options, name) for name in ("length", "width")}
+    """Sizes [m] and counts that were given, by name."""
+    names = ("length", "width", "covers", "casualties")
+    given = {name: getattr(options, name) for name in names}
     return {name: value for name, value in given.items() if value is not None}
 
 
@@ -57,7 +60,7 @@ def main(arguments: list[str] | None = None) -> int:
     sizes = _sizes(options)
     fields = {field.name for field in dataclasses.fields(make_config)}
     for name in sizes.keys() - fields:
-        print(f"worldgen: --{name}: a {options.kind} has no such size", file=sys.stderr)
+        print(f"worldgen: --{name}: a {options.kind} has no such thing", file=sys.stderr)
         return 2
     try:
         files = write_files(make(make_config(seed=options.seed, **sizes)), options.out)

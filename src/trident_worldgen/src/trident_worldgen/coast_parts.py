@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from trident_worldgen.sdf import Color, StaticModel
 
 _ASPHALT = Color((0.2, 0.2, 0.21))
@@ -20,20 +22,60 @@ _ROAD_Y_M = 50.0
 _QUAY_M = 8.0  # width of the quays and moles
 
 
-def road(land: StaticModel, level: float) -> None:
+@dataclass(frozen=True)
+class Rectangle:
+    """What something takes of the ground, sides along x and y [m].
+
+    Attributes:
+        x: of its middle.
+        y: of its middle.
+        length: along x.
+        width: along y.
+        height: of its top above the quay; the quays and moles themselves have 0.
+    """
+
+    x: float
+    y: float
+    length: float
+    width: float
+    height: float = 0.0
+
+
+def walls(front_y: float) -> dict[str, Rectangle]:
+    """The quay and the moles by name; the quay's face looks south from `front_y` [m]."""
+    return {
+        "quay": Rectangle(30.0, front_y + _QUAY_M / 2, 80.0, _QUAY_M),
+        "mole_west": Rectangle(-6.0, front_y - 30.0, _QUAY_M, 60.0),
+        "mole_east": Rectangle(66.0, front_y - 20.0, _QUAY_M, 40.0),
+    }
+
+
+def buildings(front_y: float) -> dict[str, Rectangle]:
+    """What stands behind the quay and on it, by name."""
+    built = {"shed": Rectangle(0.0, front_y + 15.0, 22.0, 9.0, 5.5)}
+    for index in range(3):
+        built[f"containers{index}"] = Rectangle(48.0 + 7.0 * index, front_y + 14.0, 6.06, 2.44, 5.2)
+    built["crane_tower"] = Rectangle(66.0, front_y + 4.0, 1.6, 1.6, 12.0)
+    built["lighthouse"] = Rectangle(-6.0, front_y - 56.0, 2.8, 2.8, 8.6)
+    return built
+
+
+def road(land: StaticModel, level: float, length: float) -> None:
     """Add a road along y = 50 m with a dashed line, and its branch to the quay.
 
     Args:
         land: gets it.
         level: of the ground below it [m].
+        length: of the road [m].
     """
-    top = level + _THICK_M / 2
-    land.box("road", (270.0, 7.0, _THICK_M), (0.0, _ROAD_Y_M, top), _ASPHALT, solid=False)
+    top, end = level + _THICK_M / 2, length / 2
+    land.box("road", (length, 7.0, _THICK_M), (0.0, _ROAD_Y_M, top), _ASPHALT, solid=False)
     land.box("branch", (6.0, 13.5, _THICK_M), (30.0, 39.75, top), _ASPHALT, solid=False)
-    for index in range(33):
-        center = (-128.0 + 8.0 * index, _ROAD_Y_M, top + _THICK_M)
+    for index in range(int(length // 8.0)):
+        center = (7.0 - end + 8.0 * index, _ROAD_Y_M, top + _THICK_M)
         land.box(f"dash{index}", (3.0, 0.15, _THICK_M), center, _PAINT, solid=False)
-    for index, x in enumerate(range(-120, 121, 30)):
+    last = int(end // 30.0) * 30
+    for index, x in enumerate(range(-last, last + 1, 30)):
         post = (float(x), _ROAD_Y_M + 5.0, level + 0.5)
         land.box(f"post{index}", (0.15, 0.15, 1.0), post, _PAINT)
 
@@ -49,10 +91,9 @@ def harbour(quays: StaticModel, level: float, bed: float, front_y: float) -> Non
     """
     height = level - bed + 1.0
     middle = level - height / 2
-    quay_y = front_y + _QUAY_M / 2
-    quays.box("quay", (80.0, _QUAY_M, height), (30.0, quay_y, middle), _CONCRETE)
-    quays.box("mole_west", (_QUAY_M, 60.0, height), (-6.0, front_y - 30.0, middle), _CONCRETE)
-    quays.box("mole_east", (_QUAY_M, 40.0, height), (66.0, front_y - 20.0, middle), _CONCRETE)
+    for name, wall in walls(front_y).items():
+        size = (wall.length, wall.width, height)
+        quays.box(name, size, (wall.x, wall.y, middle), _CONCRETE)
     for index in range(7):
         bollard = (3.0 + 9.0 * index, front_y + 0.6, level + 0.25)
         quays.cylinder(f"bollard{index}", 0.2, 0.5, bollard, _STEEL)

@@ -38,19 +38,22 @@ class Terrain:
 
     def height(self, x: float, y: float) -> float:
         """Of the surface at a place within [m]: of the very triangle of the heightmap."""
+        return float(self.heights(np.array(x), np.array(y)))
+
+    def heights(self, x: Field, y: Field) -> Field:
+        """Of the surface at places within [m], of shapes that go together."""
         last = len(self.pixels) - 1
         right = np.clip((x / self.length + 0.5) * last, 0.0, last)
         down = np.clip((0.5 - y / self.width) * last, 0.0, last)
-        column, row = (min(int(place), last - 1) for place in (right, down))
-        u, v = float(right) - column, float(down) - row
+        column, row = (np.minimum(place.astype(int), last - 1) for place in (right, down))
+        u, v = right - column, down - row
         # Cells are cut from the upper right to the lower left corner.
         a, b = self.pixels[row, column], self.pixels[row, column + 1]
         c, d = self.pixels[row + 1, column], self.pixels[row + 1, column + 1]
-        if u + v <= 1.0:
-            level = a + u * (b - a) + v * (c - a)
-        else:
-            level = d + (1.0 - u) * (c - d) + (1.0 - v) * (b - d)
-        return self.lowest + self.relief * float(level) / _WHITE
+        upper = a + u * (b - a) + v * (c - a)
+        lower = d + (1.0 - u) * (c - d) + (1.0 - v) * (b - d)
+        level = np.where(u + v <= 1.0, upper, lower)
+        return np.asarray(self.lowest + self.relief * level / _WHITE)
 
     def picture(self) -> bytes:
         """As a PNG file of 16 bit."""
