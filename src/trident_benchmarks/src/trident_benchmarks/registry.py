@@ -63,5 +63,6 @@ BENCHMARKS = (
     Benchmark(
         "tasks", "tasks.benchmark", "compare methods of sharing out tasks, and lose messages"
     ),
+    Benchmark("mission", "mission.benchmark", "measure what cooperation is worth in a search"),
     Benchmark("table", "sim.saved_table", "the Markdown table of a saved benchmark"),
 )

@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""Nodes that deal with people who have been found."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from py_trees.common import Status
+
+from trident_fleet.core.missions.nodes.base import STEP_S, Node, task_of
+from trident_fleet.core.missions.reports import Fix
+from trident_fleet.core.missions.robot import MissionRobot
+
+_CLOSE = 0.6  # share of the distance that counts, to which a robot goes
+_LOST_S = 60.0  # after which somebody who is not where they should be is given up
+
+
+def attend(robot: MissionRobot, fix: Fix, within_m: float, needed_s: float) -> Status:
+    """Go to somebody, and stay there for long enough.
+
+    Returns:
+        SUCCESS: done; FAILURE: there is nobody there.
+    """
+    place = robot.knowledge.place_of(fix, robot.now_s)
+    arrived = robot.go_to(place, _CLOSE * within_m)
+    # Who drifts is followed: small steps count as standing.
+    if not arrived and math.dist(robot.vehicle.place, place) > within_m:
+        return Status.RUNNING
+    if robot.now_s - fix.time_s > _LOST_S:
+        return Status.FAILURE
+    stayed_s = robot.work(f"{fix.name} {needed_s}", STEP_S)
+    return Status.SUCCESS if stayed_s > needed_s + STEP_S else Status.RUNNING
+
+
+def person_of(task_id: str) -> str:
+    """The name behind the kind of a task."""
+    return task_id.split("/", 1)[1]
+
+
+@dataclass(frozen=True)
+class Serve(Node):
+    """The task to serve somebody: a rescuer stands with them."""
+
+    def tick(self, robot: MissionRobot) -> Status:
+        """SUCCESS: served."""
+        task = task_of(robot, "serve")
+        fix = robot.knowledge.people.get(person_of(task.task_id)) if task is not None else None
+        if task is None or fix is None:
+            return Status.FAILURE
+        robot.doing = task.task_id
+        if fix.served:
+            if robot.begin(task.task_id):
+                robot.finish(task.task_id)
+            return Status.SUCCESS
+        robot.begin(task.task_id)
+        status = attend(robot, fix, robot.rules.serve_m, robot.rules.serve_s)
+        if status is Status.SUCCESS:
+            robot.knowledge.detected(replace(fix, confirmed=True, served=True))
+            robot.finish(task.task_id)
+        elif status is Status.FAILURE:
+            robot.fail(task.task_id, "not where they should be")
+        return status
+
+
+@dataclass(frozen=True)
+class ServeUnasked(Node):
+    """Serve somebody close by without a task, where no task comes: nobody else is heard."""
+
+    def tick(self, robot: MissionRobot) -> Status:
+        """RUNNING while there is somebody."""
+        if robot.alone_s < 10.0 or robot.task() is not None:
+            return Status.FAILURE
+        waiting = [
+            fix
+            for fix in robot.knowledge.people.values()
+            if not fix.served and robot.can_rescue(fix) and robot.now_s - fix.time_s < 400.0
+        ]
+        if not waiting:
+            return Status.FAILURE
+        fix = min(
+            waiting,
+            key=lambda one: math.dist(
+                robot.vehicle.place, robot.knowledge.place_of(one, robot.now_s)
+            ),
+        )
+        robot.doing = f"serves {fix.name} unasked"
+        status = attend(robot, fix, robot.rules.serve_m, robot.rules.serve_s)
+        if status is Status.SUCCESS:
+            robot.knowledge.detected(replace(fix, confirmed=True, served=True))
+        return status
+
+
+@dataclass(frozen=True)
+class Confirm(Node):
+    """The task to confirm somebody: stand nearby."""
+
+    def tick(self, robot: MissionRobot) -> Status:
+        """SUCCESS: confirmed."""
+        task = task_of(robot, "confirm")
+        fix = robot.knowledge.people.get(person_of(task.task_id)) if task is not None else None
+        if task is None or fix is None:
+            return Status.FAILURE
+        robot.doing = task.task_id
+        robot.begin(task.task_id)
+        if fix.confirmed:
+            robot.finish(task.task_id)
+            return Status.SUCCESS
+        status = attend(robot, fix, robot.rules.confirm_m, robot.rules.confirm_s)
+        if status is Status.SUCCESS:
+            robot.knowledge.detected(replace(fix, confirmed=True))
+            robot.finish(task.task_id)
+        elif status is Status.FAILURE:
+            robot.fail(task.task_id, "not where they should be")
+        return status
