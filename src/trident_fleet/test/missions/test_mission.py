@@ -39,8 +39,9 @@ def test_the_same_seed_is_the_same_mission_and_another_one_is_not() -> None:
 def test_each_platform_alone_does_what_its_medium_allows(mode: str) -> None:
     outcome = mission(Setup(mode=mode)).run()
     assert not outcome.complete
-    assert outcome.served == {"uav": 0, "ugv": 2, "usv": 2}[mode]
-    assert outcome.coverage > {"uav": 0.85, "ugv": 0.4, "usv": 0.5}[mode]
+    assert outcome.served >= {"uav": 0, "ugv": 1, "usv": 2}[mode]
+    assert outcome.confirmed >= {"uav": 3, "ugv": 1, "usv": 2}[mode]
+    assert outcome.coverage > {"uav": 0.85, "ugv": 0.25, "usv": 0.5}[mode]
 
 
 def test_when_a_robot_dies_the_others_do_what_they_can() -> None:
@@ -52,7 +53,8 @@ def test_when_a_robot_dies_the_others_do_what_they_can() -> None:
     assert outcome.coverage >= 0.85
     manager = next(c for c in made.crews.values() if c.robot.member.manager.on_duty)
     records = manager.robot.member.follower.book.records
-    held = [name for name, record in records.items() if "usv1" in record.holders]
+    open_records = {name: record for name, record in records.items() if not record.done_by}
+    held = [name for name, record in open_records.items() if "usv1" in record.holders]
     assert not held, "what it held has been given to others, or to nobody"
 
 

@@ -74,6 +74,9 @@ class Knowledge:
         kept = self.sightings.add(self._robot, look)
         return kept, self._use(self._robot, kept)
 
+    def _take(self, robot: str, look: Look) -> None:
+        self._use(robot, look)
+
     def _use(self, robot: str, look: Look) -> View:
         kind = self._kinds[robot]
         view, eye = self.eyes.view(kind, look), self.eyes.eyes[kind]
@@ -102,7 +105,7 @@ class Knowledge:
             self.reports[report.robot] = report
         for part in report.parts:
             if part.robot != self._robot:
-                self.sightings.merge(part, lambda robot, look: self._use(robot, look) and None)
+                self.sightings.merge(part, self._take)
         for fix in report.people:
             self.detected(fix)
 

@@ -257,7 +257,7 @@ class Mission:
         plan.moved((*robot.vehicle.place, 0.0), self.now_s + reserve_s)
         if robot.ordered != plan.version and self._step % _ORDER_STEPS == 0:
             fixed = sum(held.asked for held in robot.member.robot.holdings.values())
-            shorten(plan, robot.ground.routes, fixed)
+            shorten(plan, robot.ground.routes, fixed, robot.rank)
             robot.ordered = plan.version
 
     def _move_and_look(self, crew: _Crew) -> View:
@@ -339,6 +339,17 @@ def _kind_named(config: MissionConfig, name: str) -> Kind:
     return config.kinds[name]
 
 
+def _band_m(kinds: dict[str, Kind], wet: bool) -> float:
+    """Height of bands: what the widest of those that search there covers in one pass [m]."""
+    domains = ("air", "water" if wet else "ground")
+    lanes = [
+        kind.lane_water_m if wet else kind.lane_land_m
+        for kind in kinds.values()
+        if kind.domain in domains
+    ]
+    return max(lanes, default=60.0)
+
+
 def _contacts(crews: Sequence[_Crew]) -> int:
     """Pairs in one medium that are closer than they may be, away from where they start."""
     count = 0
@@ -364,9 +375,7 @@ class _Builder:
         scene, config, setup = mission.scene, mission.config, mission.setup
         kinds = {kind.name: kind for kind in mission._kinds.values()}
         self._eyes = SharedEyes(scene.area, config)
-        widest = max(kind.lane_water_m for kind in config.kinds.values())
-        land_m = max(kind.lane_land_m for kind in config.kinds.values() if kind.domain == "air")
-        pieces = pieces_of(scene.area, land_m, widest)
+        pieces = pieces_of(scene.area, _band_m(kinds, False), _band_m(kinds, True))
         self._pieces = {piece.name: piece for piece in pieces}
         for name, kind in kinds.items():
             routes = Routes(scene.area, kind.domain)
@@ -404,7 +413,10 @@ class _Builder:
         member = Member(port.tasks, self._team, self._method, plan)
         names = {other: one.name for other, one in mission._kinds.items()}
         knowledge = Knowledge(self._eyes, mission.config, names, name)
-        robot = MissionRobot(kind, vehicle, ground, knowledge, member, mission.config.rules)
+        expected = len(mission.scene.people)
+        robot = MissionRobot(
+            kind, vehicle, ground, knowledge, member, mission.config.rules, expected
+        )
         return _Crew(robot, vehicle, self.tree.grow(robot), port)
 
     def duties(self) -> Duties:

@@ -13,7 +13,7 @@ import numpy as np
 from trident_fleet.core.missions.kinds import Kind
 from trident_fleet.core.missions.routes import Routes
 from trident_fleet.core.missions.scene import Place
-from trident_fleet.core.search.area import Array, Mask, SearchArea
+from trident_fleet.core.search.area import Array, Index, Mask, SearchArea
 
 _LENGTH_M = 134.0
 _ON_LANE_M = 10.0  # between points of a lane that is followed past obstacles
@@ -126,7 +126,7 @@ class Lanes:
         corners = _joined(passes, start)
         return self._along(corners, start)
 
-    def _pass(self, piece: Piece, band: np.ndarray, seen: np.ndarray) -> tuple[Place, Place]:
+    def _pass(self, piece: Piece, band: Index, seen: Index) -> tuple[Place, Place]:
         lattice = self._area.lattice
         left, _ = lattice.middle(0, int(seen[0]))
         right, _ = lattice.middle(0, int(seen[-1]))

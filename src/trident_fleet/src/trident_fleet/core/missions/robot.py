@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.ndimage import uniform_filter
 
+from trident_fleet.core.missions.blocks import Blocks
 from trident_fleet.core.missions.kinds import Kind, Rules
 from trident_fleet.core.missions.knowledge import Knowledge
 from trident_fleet.core.missions.pieces import Lanes, Piece
@@ -21,13 +21,13 @@ from trident_fleet.core.missions.vehicle import Vehicle
 from trident_fleet.core.search.area import Array
 from trident_fleet.core.tasks.member import Member
 from trident_fleet.core.tasks.messages import Point
+from trident_fleet.core.tasks.plan import Job
 
 if TYPE_CHECKING:
     from trident_fleet.core.tasks.robot import Holding
 
 _REPLAN_M = 1.5  # that a goal moves before the path to it is made again
 _BELIEF_CELLS = 4000.0  # cells that one expected person is worth
-_DWELL_S = 1.0
 
 
 @dataclass(frozen=True)
@@ -85,13 +85,14 @@ class MissionRobot:
         knowledge: Knowledge,
         member: Member,
         rules: Rules,
+        expected: int,
     ) -> None:
-        """At its base, which is where the vehicle is."""
+        """At its base, which is where the vehicle is; so many people are expected in all."""
         self.kind, self.vehicle, self.ground = kind, vehicle, ground
         self.knowledge, self.member, self.rules = knowledge, member, rules
         self.home, self.battery = vehicle.place, Battery(kind.endurance_s)
         self.landed_s, self.now_s, self.alone_s = 0.0, 0.0, 0.0
-        self.taken_over = False
+        self.taken_over, self.expected = False, float(expected)
         self.ordered = -1
         self.doing = ""
         self._goal: Place | None = None
@@ -163,28 +164,26 @@ class MissionRobot:
         """How long each cell must still be in view of this robot [s], shape (rows, columns)."""
         return self.knowledge.coverage.lacks_s(self.knowledge.eyes.eyes[self.kind.name])
 
+    def rank(self, job: Job) -> int:
+        """Who flies searches land first, so that rescuers on the ground, who are slow, can plan."""
+        piece = self.ground.pieces.get(job.task_id)
+        return int(self.kind.domain == "air" and piece is not None and piece.wet)
+
     def can_rescue(self, fix: Fix) -> bool:
         """Whether this robot serves people there."""
         return self.kind.serves and self.kind.domain == fix.domain
 
-    def most_gained(self) -> Place | None:
-        """Where what can be seen is worth most per second; None: nothing is left to see.
+    def most_gained(self) -> list[Place]:
+        """The path along which what can be seen is worth most per meter; empty: nothing is left.
 
         A cell that is not covered is worth 1, a person who may be there as much as many cells.
         """
         eye = self.knowledge.eyes.eyes[self.kind.name]
         lacks_s = self.lacks_s()
         need = ((lacks_s > 0.0) & (lacks_s < 1e6)).astype(float)
-        unfound = 12.0 - len(self.knowledge.people)
+        unfound = self.expected - len(self.knowledge.people)
         if unfound > 0.0:
             belief = self.knowledge.belief.grid()
             need += unfound * _BELIEF_CELLS * np.where(eye.detect_rate > 0.0, belief, 0.0)
-        side = 2 * int(0.8 * self.kind.sensor.range_m / eye.area.lattice.cell_m) + 1
-        gain = uniform_filter(need, size=side, mode="constant")
-        length_m = self.ground.routes.lengths_from(self.vehicle.place)
-        rate = gain / (length_m / self.kind.speed_m_s + _DWELL_S)
-        best = int(np.argmax(rate))
-        if not rate.flat[best] > 1e-6:
-            return None
-        x, y = eye.area.lattice.middle(*divmod(best, eye.area.lattice.columns))
-        return float(x), float(y)
+        blocks = Blocks.of(eye.area, self.kind)
+        return blocks.path(self.vehicle.place, need, self.ground.routes)

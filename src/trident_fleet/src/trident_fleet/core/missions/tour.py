@@ -4,37 +4,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from trident_fleet.core.missions.routes import Routes
-from trident_fleet.core.tasks.plan import Plan
+from trident_fleet.core.tasks.plan import Job, Plan
 
 _LEAST_M = 0.5
 
 
-def shorten(plan: Plan, routes: Routes, fixed: int) -> bool:
+def shorten(plan: Plan, routes: Routes, fixed: int, rank: Callable[[Job], int]) -> bool:
     """Turn pieces of the route and move tasks in it while that makes it shorter.
 
     Args:
         plan: of the robot; it may change.
         routes: of the robot's kind.
         fixed: tasks at the head that keep their places.
+        rank: of a task: those of a lower one come first.
 
     Returns:
         Whether it has changed.
     """
-    jobs = list(plan.jobs)
-    if len(jobs) - fixed < 2:
+    before, jobs = list(plan.jobs), plan.jobs[:fixed]
+    for number in sorted({rank(job) for job in before[fixed:]}):
+        group = [job for job in before[fixed:] if rank(job) == number]
+        start = jobs[-1].task.place if jobs else plan.place
+        places = [start, *(job.task.place for job in group)]
+        lengths = [[routes(one, other) for other in places] for one in places]
+        jobs += [group[index] for index in short_order(lengths, 0)]
+    if jobs == before:
         return False
-    places = [plan.place, *(job.task.place for job in jobs)]
-    lengths = [[routes(one, other) for other in places] for one in places]
-    order = short_order(lengths, fixed)
-    if order == list(range(len(jobs))):
-        return False
-    for job in jobs:
+    for job in before:
         plan.remove(job.task_id)
-    for number in order:
-        plan.insert(jobs[number], len(plan.jobs))
+    for job in jobs:
+        plan.insert(job, len(plan.jobs))
     return True
 
 

@@ -97,7 +97,8 @@ def _node(section: Section, kind: str) -> Node:
     part = section.section(kind)
     values: dict[str, Any] = {}
     for field in dataclasses.fields(NODES[kind]):
-        values[field.name] = part.number(field.name, field.default)
+        default: Any = field.default
+        values[field.name] = part.number(field.name, default)
         if values[field.name] < 0.0:
             raise part.error(field.name, f"{values[field.name]:g}; legal: 0 or more")
     part.finish()

@@ -13,24 +13,29 @@ from trident_fleet.core.missions.nodes.base import STEP_S, Node, task_of
 from trident_fleet.core.missions.reports import Fix
 from trident_fleet.core.missions.robot import MissionRobot
 
-_CLOSE = 0.6  # share of the distance that counts, to which a robot goes
+_CLOSE = 0.25  # share of the distance that counts, to which a robot goes
 _LOST_S = 60.0  # after which somebody who is not where they should be is given up
 
 
 def attend(robot: MissionRobot, fix: Fix, within_m: float, needed_s: float) -> Status:
-    """Go to somebody, and stay there for long enough.
+    """Go to somebody, and stand there for long enough.
+
+    A robot stands where somebody who drifts passes by in the middle of that time.
 
     Returns:
         SUCCESS: done; FAILURE: there is nobody there.
     """
+    what = f"{fix.name} {needed_s}"
     place = robot.knowledge.place_of(fix, robot.now_s)
-    arrived = robot.go_to(place, _CLOSE * within_m)
-    # Who drifts is followed: small steps count as standing.
-    if not arrived and math.dist(robot.vehicle.place, place) > within_m:
-        return Status.RUNNING
+    stands = robot.work(what, 0.0) > 0.0 and math.dist(robot.vehicle.place, place) <= within_m
+    if not stands:
+        passing = robot.knowledge.place_of(fix, robot.now_s + 0.5 * needed_s)
+        if not robot.go_to(passing, _CLOSE * within_m):
+            robot.work("", 0.0)
+            return Status.RUNNING
     if robot.now_s - fix.time_s > _LOST_S:
         return Status.FAILURE
-    stayed_s = robot.work(f"{fix.name} {needed_s}", STEP_S)
+    stayed_s = robot.work(what, STEP_S)
     return Status.SUCCESS if stayed_s > needed_s + STEP_S else Status.RUNNING
 
 

@@ -70,10 +70,10 @@ class SearchByGain(Node):
         """RUNNING as long as there is something to see."""
         if robot.doing == "search by gain" and robot.vehicle.path_left:
             return Status.RUNNING
-        place = robot.most_gained()
-        if place is None:
+        path = robot.most_gained()
+        if not path:
             robot.stand()
             return Status.FAILURE
         robot.doing = "search by gain"
-        robot.go_to(place, 0.5)
+        robot.follow(path)
         return Status.RUNNING
