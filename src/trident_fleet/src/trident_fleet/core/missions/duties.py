@@ -40,15 +40,17 @@ class Duties:
             owners: of pieces that are given to a robot beforehand, by task.
         """
         self._kinds, self._rules = kinds, rules
+        self._flies = any(kind.domain == "air" for kind in kinds.values())
         self._search = [self._piece_task(piece, owners) for piece in pieces]
+        # Who searches land on the ground looks below roofs and trees as it passes by.
         self._search += [
             _task(f"cover/{index}", "cover", place, Requirements(("ground",), ("search",)), 4.0)
             for index, place in enumerate(covers)
+            if self._flies
         ]
 
-    @staticmethod
-    def _piece_task(piece: Piece, owners: dict[str, str]) -> TaskAnnounce:
-        domains = ("air", "water") if piece.wet else ("air", "ground")
+    def _piece_task(self, piece: Piece, owners: dict[str, str]) -> TaskAnnounce:
+        domains = searchers_of(piece, self._flies)
         owner = owners.get(piece.name)
         skills = ("search",) if owner is None else ("search", ONLY + owner)
         return _task(piece.name, "search", piece.place, Requirements(domains, skills), 0.0)
@@ -86,6 +88,13 @@ class Duties:
             return True
         report = robot.knowledge.reports.get(name)
         return report is not None and robot.now_s - report.stamp_s < _ALIVE_S
+
+
+def searchers_of(piece: Piece, flies: bool) -> tuple[str, ...]:
+    """Media from which a piece is searched: on land from the ground only if nobody flies."""
+    if piece.wet:
+        return ("air", "water")
+    return ("air",) if flies else ("ground",)
 
 
 def _task(

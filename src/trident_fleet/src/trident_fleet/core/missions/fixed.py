@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from trident_fleet.core.missions.duties import searchers_of
 from trident_fleet.core.missions.kinds import Kind
 from trident_fleet.core.missions.pieces import Piece
 from trident_fleet.core.missions.robot import Ground
@@ -27,11 +28,12 @@ def fixed_owners(
     xs = sorted({piece.x for piece in pieces})
     ys = sorted({piece.y for piece in pieces})
     cell = {piece.name: (ys.index(piece.y), xs.index(piece.x)) for piece in pieces}
+    flies = any(kind.domain == "air" for kind in kinds.values())
     searchers = []
     for name, kind in kinds.items():
         seconds = np.full((len(ys), len(xs)), np.inf)
         for piece in pieces:
-            if kind.domain in (("air", "water") if piece.wet else ("air", "ground")):
+            if kind.domain in searchers_of(piece, flies):
                 seconds[cell[piece.name]] = grounds[kind.name].work_m[piece.place] / kind.speed_m_s
         free = np.argwhere(np.isfinite(seconds))
         start = (int(free[0][0]), int(free[0][1])) if len(free) else (0, 0)
