@@ -11,8 +11,9 @@ import numpy as np
 
 from trident_worldgen.buoys import GREEN, RED, SKY, YELLOW, Buoy, place_text, sea_text
 from trident_worldgen.checks import require, require_count, require_seed
+from trident_worldgen.coast_cells import Area, Post
 from trident_worldgen.coast_parts import harbour, road
-from trident_worldgen.coast_search import Area, Post, SearchSite, search_site
+from trident_worldgen.coast_search import SearchSite, search_site
 from trident_worldgen.noise import Field, grain
 from trident_worldgen.parts import model_config, rock_model
 from trident_worldgen.placing import free_place

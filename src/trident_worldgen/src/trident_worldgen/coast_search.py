@@ -18,15 +18,22 @@ from PIL import Image
 from scipy import ndimage
 
 from trident_sim import Error
-from trident_worldgen.coast_parts import Rectangle, buildings, walls
+from trident_worldgen.coast_cells import (
+    CELL_M,
+    Area,
+    Mask,
+    Post,
+    eroded,
+    slopes,
+    touched,
+    within,
+)
+from trident_worldgen.coast_covers import COVER_M, Cover, build
+from trident_worldgen.coast_parts import buildings, walls
 from trident_worldgen.noise import Field, png
 from trident_worldgen.placing import free_place
 from trident_worldgen.sdf import Color, Files, StaticModel
-from trident_worldgen.terrain import Terrain
 
-CELL_M = 2.0
-COVER_M = 18.0
-"""Side of a cover."""
 LAND, COVER, GROUND, WATER = 1, 2, 4, 8
 """Flags of a cell: it is land; it lies below a cover; a ground robot, a boat gets there."""
 GREATEST_SLOPE = math.tan(math.radians(12.0))
@@ -36,7 +43,6 @@ DRIFT_M_S = (0.135, -0.019)
 """Mean drift of a person in config/environments/search_coast.yaml [m/s]."""
 
 Flags = npt.NDArray[np.uint8]
-Mask = npt.NDArray[np.bool_]
 
 _DRIFT_S = 900.0  # for which casualties neither strand nor leave the area
 _BOAT_DEPTH_M = 0.8
@@ -45,10 +51,6 @@ _IN_WATER, _COVERED = 5.0 / 12.0, 2.0 / 12.0  # shares of the casualties
 _EDGE_M = 14.0
 _TRIES = 4000
 _ROAD_Y_M, _ROAD_GAP_M = 50.0, 15.0
-_ROOF_M, _ROOF_POST_M = 3.0, 0.12
-_TREE_GAP_M, _CROWN_M, _BARE_M = 4.5, 3.3, 2.2
-_STEEL, _SHEET = Color((0.35, 0.36, 0.38)), Color((0.48, 0.52, 0.5))
-_BARK, _LEAVES = Color((0.36, 0.25, 0.16)), Color((0.28, 0.45, 0.14))
 _VEST = Color((0.95, 0.35, 0.05))
 _RECORD = f"""# SPDX-FileCopyrightText: 2026 The Trident authors
 # SPDX-License-Identifier: Apache-2.0
@@ -65,64 +67,6 @@ bases: {{{{{{bases}}}}}}
 covers:{{covers}}
 casualties:{{casualties}}
 """
-
-
-@dataclass(frozen=True)
-class Post:
-    """Something round that stands or floats: a trunk, a rock, a buoy; sizes in m."""
-
-    x: float
-    y: float
-    radius: float
-
-
-@dataclass(frozen=True)
-class Area:
-    """The coast that is searched.
-
-    Attributes:
-        ground: with its size.
-        front_y: of the quay [m].
-        level: of the quay above the still water [m].
-        posts: that are there whatever grows.
-    """
-
-    ground: Terrain
-    front_y: float
-    level: float
-    posts: Sequence[Post] = ()
-
-
-@dataclass(frozen=True)
-class Cover:
-    """A square of 18 m: a `roof` on posts, or a `grove` whose crowns close.
-
-    Attributes:
-        x: of its middle [m].
-        y: of its middle [m].
-        kind: of it.
-    """
-
-    x: float
-    y: float
-    kind: str
-
-    def has(self, x: Field | float, y: Field | float, more: float = 0.0) -> Mask:
-        """Whether places lie below it, or within `more` of it [m]."""
-        reach = COVER_M / 2 + more
-        along, across = x - self.x, y - self.y
-        # Half open, so that each cover takes as many cells.
-        inside = (along >= -reach) & (along < reach) & (across >= -reach) & (across < reach)
-        return np.asarray(inside)
-
-    def posts(self) -> list[Post]:
-        """What holds it up."""
-        if self.kind == "roof":
-            at = (-COVER_M / 2 + _ROOF_POST_M, 0.0, COVER_M / 2 - _ROOF_POST_M)
-            places = [(dx, dy) for dx in at for dy in at if (dx, dy) != (0.0, 0.0)]
-            return [Post(self.x + dx, self.y + dy, _ROOF_POST_M) for dx, dy in places]
-        at4 = [_TREE_GAP_M * (index - 1.5) for index in range(4)]
-        return [Post(self.x + dx, self.y + dy, 0.2) for dx in at4 for dy in at4]
 
 
 @dataclass(frozen=True)
@@ -183,9 +127,9 @@ class SearchSite:
         kinds += ["cover"] * covered + ["water"] * in_water
         random = np.random.default_rng([self.seed, 0xCA5])
         inner = {
-            "open": _eroded((cells & GROUND > 0) & (cells & COVER == 0)),
-            "cover": _eroded((cells & GROUND > 0) & (cells & COVER > 0)),
-            "water": self._drift_stays(_eroded(cells & WATER > 0)),
+            "open": eroded((cells & GROUND > 0) & (cells & COVER == 0)),
+            "cover": eroded((cells & GROUND > 0) & (cells & COVER > 0)),
+            "water": self._drift_stays(eroded(cells & WATER > 0)),
         }
         for kind in kinds:
             self.casualties.append(self._casualty(random, kind, inner[kind]))
@@ -218,16 +162,16 @@ class SearchSite:
         """What each cell is, row 0 at the largest y, shape (rows, columns)."""
         x, y = self._grid()
         heights = self.area.ground.heights(x, y)
-        quays = _within(walls(self.area.front_y), x, y, 0.0)
+        quays = within(walls(self.area.front_y), x, y, 0.0)
         land = (heights > 0.0) | quays
         flags = np.where(land, LAND, 0)
         for cover in self.covers:
             flags = flags | np.where(cover.has(x, y), COVER, 0)
-        ground = land & (_slopes(self.area.ground, x, y) < GREATEST_SLOPE) | quays
-        ground &= ~_within(buildings(self.area.front_y), x, y, _ROBOT_M)
-        ground &= ~_touched(self._posts, x, y, 0.0)
-        water = (heights < -_BOAT_DEPTH_M) & ~_within(walls(self.area.front_y), x, y, _BOAT_M)
-        water &= ~_touched(self._posts, x, y, _BOAT_M)
+        ground = land & (slopes(self.area.ground, x, y) < GREATEST_SLOPE) | quays
+        ground &= ~within(buildings(self.area.front_y), x, y, _ROBOT_M)
+        ground &= ~touched(self._posts, x, y, 0.0)
+        water = (heights < -_BOAT_DEPTH_M) & ~within(walls(self.area.front_y), x, y, _BOAT_M)
+        water &= ~touched(self._posts, x, y, _BOAT_M)
         flags = flags | np.where(self._linked(ground, "ground"), GROUND, 0)
         flags = flags | np.where(self._linked(water, "water"), WATER, 0)
         return np.asarray(flags, dtype=np.uint8)
@@ -260,7 +204,7 @@ class SearchSite:
             return []
         built = StaticModel("covers")
         for index, cover in enumerate(self.covers):
-            (_roof if cover.kind == "roof" else _grove)(built, f"cover{index}", cover, self.area)
+            build(built, f"cover{index}", cover, self.area)
         people = []
         for index, one in enumerate(self.casualties):
             person = StaticModel(f"casualty_{index}")
@@ -308,7 +252,7 @@ class SearchSite:
         for built in (walls(self.area.front_y), buildings(self.area.front_y)):
             for name, one in built.items():
                 top = self.area.level + one.height
-                heights = np.where(_within({name: one}, x, y, 0.0), top, heights)
+                heights = np.where(within({name: one}, x, y, 0.0), top, heights)
         return heights
 
 
@@ -363,58 +307,3 @@ def _cover_test(site: SearchSite, reached: Mask) -> Callable[[float, float], boo
         return bool(reached[Cover(at_x, at_y, "").has(x, y, 3.0)].all())
 
     return is_free
-
-
-def _slopes(ground: Terrain, x: Field, y: Field) -> Field:
-    """The steepest rise within each cell, m per m."""
-    half = CELL_M / 2
-    along = ground.heights(x + half, y) - ground.heights(x - half, y)
-    across = ground.heights(x, y + half) - ground.heights(x, y - half)
-    return np.asarray(np.hypot(along, across) / CELL_M)
-
-
-def _within(rectangles: dict[str, Rectangle], x: Field, y: Field, more: float) -> Mask:
-    """Cells whose middle lies in one of them, or within `more` of one [m]."""
-    inside = np.zeros((y.shape[0], x.shape[1]), dtype=bool)
-    for one in rectangles.values():
-        along = np.abs(x - one.x) <= one.length / 2 + more
-        inside |= along & (np.abs(y - one.y) <= one.width / 2 + more)
-    return inside
-
-
-def _touched(posts: Sequence[Post], x: Field, y: Field, more: float) -> Mask:
-    """Cells in which something stands, or which it comes nearer than `more` [m]."""
-    touched = np.zeros((y.shape[0], x.shape[1]), dtype=bool)
-    for post in posts:
-        columns = np.flatnonzero(np.abs(x[0] - post.x) <= CELL_M / 2 + post.radius + more)
-        rows = np.flatnonzero(np.abs(y[:, 0] - post.y) <= CELL_M / 2 + post.radius + more)
-        touched[np.ix_(rows, columns)] = True
-    return touched
-
-
-def _eroded(allowed: Mask) -> Mask:
-    """The cells whose neighbors are allowed, too."""
-    return np.asarray(ndimage.binary_erosion(allowed, np.ones((3, 3)), border_value=0))
-
-
-def _roof(built: StaticModel, name: str, cover: Cover, area: Area) -> None:
-    """A level sheet on eight posts, 3 m above the highest ground below it."""
-    at = np.linspace(-COVER_M / 2, COVER_M / 2, 7)
-    highest = max(area.ground.height(cover.x + dx, cover.y + dy) for dx in at for dy in at)
-    top = highest + _ROOF_M
-    built.box(f"{name}_roof", (COVER_M, COVER_M, 0.2), (cover.x, cover.y, top + 0.1), _SHEET)
-    for index, post in enumerate(cover.posts()):
-        foot = area.ground.height(post.x, post.y) - 0.3
-        center = (post.x, post.y, (foot + top) / 2)
-        built.cylinder(f"{name}_post{index}", post.radius, top - foot, center, _STEEL)
-
-
-def _grove(built: StaticModel, name: str, cover: Cover, area: Area) -> None:
-    """Sixteen broad-leaved trees; the circles of their crowns cover the square."""
-    for index, post in enumerate(cover.posts()):
-        foot = area.ground.height(post.x, post.y)
-        trunk = _BARE_M + 0.6 * _CROWN_M
-        center = (post.x, post.y, foot - 0.3 + trunk / 2)
-        built.cylinder(f"{name}_trunk{index}", post.radius, trunk, center, _BARK)
-        crown = (post.x, post.y, foot + _BARE_M + _CROWN_M)
-        built.sphere(f"{name}_crown{index}", _CROWN_M, crown, _LEAVES)

@@ -61,6 +61,7 @@ class Knowledge:
         """
         area = eyes.area
         self.eyes, self._kinds, self._robot = eyes, kinds, robot
+        self._prior = config.prior
         self.coverage, self.sightings = Coverage(area.lattice), Sightings(area.lattice)
         self.belief = Belief(area, config.prior.grid(area), config.sea, _PARTICLES)
         self.people: dict[str, Fix] = {}
@@ -131,10 +132,26 @@ class Knowledge:
         moved = self._flow.moved(place, self._mean_leeway[None], now_s - fix.time_s)
         return float(moved[0, 0]), float(moved[0, 1])
 
-    def unfound(self, prior: dict[str, float]) -> dict[str, float]:
-        """How many people of each domain are still expected."""
-        found = [fix.domain for fix in self.people.values()]
-        return {domain: max(count - found.count(domain), 0.0) for domain, count in prior.items()}
+    def unfound(self) -> dict[str, float]:
+        """How many people are still expected in the `open`, below a `cover`, and in the `water`."""
+        area, prior = self.eyes.area, self._prior
+        left = {"open": prior.open_land, "cover": prior.covered, "water": prior.water}
+        for fix in self.people.values():
+            covered = bool(area.covered[area.lattice.cell(*fix.place)])
+            where = "cover" if covered else "open"
+            left["water" if fix.domain == "water" else where] -= 1.0
+        return {where: max(count, 0.0) for where, count in left.items()}
+
+    def expected(self) -> Array:
+        """How many people who have not been found are in each cell, shape (rows, columns)."""
+        area, grid = self.eyes.area, self.belief.grid()
+        expected = np.zeros_like(grid)
+        cells = {"open": area.land & ~area.covered, "cover": area.covered, "water": ~area.land}
+        for where, count in self.unfound().items():
+            total = float(grid[cells[where]].sum())
+            if total > 0.0:
+                expected[cells[where]] += count / total * grid[cells[where]]
+        return expected
 
 
 def _mean_leeway(config: MissionConfig) -> Array:

@@ -103,7 +103,7 @@ class Lanes:
 
     def _inset(self, piece: Piece) -> float:
         """By how much a pass ends before the piece does: the robot sees ahead."""
-        return min(0.5 * self._kind.sensor.range_m, 0.25 * (piece.x[1] - piece.x[0]))
+        return min(0.2 * self._kind.sensor.range_m, 0.25 * (piece.x[1] - piece.x[0]))
 
     def path(self, piece: Piece, start: Place, lacks_s: Array) -> list[Place]:
         """Corners of the passes that cover what nobody has seen, from the nearer end on.

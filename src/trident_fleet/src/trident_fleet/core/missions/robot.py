@@ -91,8 +91,8 @@ class MissionRobot:
         self.kind, self.vehicle, self.ground = kind, vehicle, ground
         self.knowledge, self.member, self.rules = knowledge, member, rules
         self.home, self.battery = vehicle.place, Battery(kind.endurance_s)
-        self.landed_s, self.now_s, self.alone_s = 0.0, 0.0, 0.0
-        self.taken_over, self.expected = False, float(expected)
+        self.landed_s = self.now_s = self.alone_s = 0.0
+        self.taken_over, self.expected = False, expected
         self.ordered = -1
         self.doing = ""
         self._goal: Place | None = None
@@ -181,9 +181,8 @@ class MissionRobot:
         eye = self.knowledge.eyes.eyes[self.kind.name]
         lacks_s = self.lacks_s()
         need = ((lacks_s > 0.0) & (lacks_s < 1e6)).astype(float)
-        unfound = self.expected - len(self.knowledge.people)
-        if unfound > 0.0:
-            belief = self.knowledge.belief.grid()
-            need += unfound * _BELIEF_CELLS * np.where(eye.detect_rate > 0.0, belief, 0.0)
+        if len(self.knowledge.people) < self.expected:
+            expected = self.knowledge.expected()
+            need += _BELIEF_CELLS * np.where(eye.detect_rate > 0.0, expected, 0.0)
         blocks = Blocks.of(eye.area, self.kind)
         return blocks.path(self.vehicle.place, need, self.ground.routes)

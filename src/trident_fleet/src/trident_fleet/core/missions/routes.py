@@ -15,6 +15,7 @@ from trident_fleet.core.missions.scene import Place
 from trident_fleet.core.search.area import Array, Index, SearchArea
 from trident_fleet.core.tasks.messages import Point
 
+_SAMPLE_M, _AHEAD = 0.5, 12
 _STEPS = ((0, 1), (1, 0), (1, 1), (1, -1))
 
 
@@ -43,7 +44,7 @@ class Routes:
 
     def path(self, start: Place, goal: Place) -> list[Place]:
         """Corners of the path; the last one is the goal, or the nearest place that is reached."""
-        if self.straight:
+        if self.straight or (self.reaches(goal) and self.is_clear(start, goal)):
             return [goal]
         begin, end = self._number(start), self._number(goal)
         lengths, following = self._field(end)
@@ -53,16 +54,27 @@ class Routes:
         while numbers[-1] != end:
             numbers.append(int(following[numbers[-1]]))
         last = goal if self.reaches(goal) else self._middle(end)
-        return _corners([self._middle(number) for number in numbers[1:-1]] + [last])
+        corners = _corners([self._middle(number) for number in numbers[1:-1]] + [last])
+        return self._pulled(start, corners)
 
-    def lengths_from(self, place: Place) -> Array:
-        """To all cells [m]; infinite where no path exists, shape (rows, columns)."""
-        if self.straight:
-            x, y = self.lattice.middle(*np.indices(self.lattice.shape))
-            return np.hypot(x - place[0], y - place[1])
-        begin = self._number(place)
-        lengths = dijkstra(self._graph, directed=False, indices=begin)
-        return np.where(self._free, np.asarray(lengths).reshape(self.lattice.shape), np.inf)
+    def is_clear(self, start: Place, goal: Place) -> bool:
+        """Whether the robot gets along the straight line."""
+        count = max(math.ceil(math.dist(start, goal) / _SAMPLE_M), 1)
+        share = np.linspace(0.0, 1.0, count + 1)
+        x = start[0] + share * (goal[0] - start[0])
+        y = start[1] + share * (goal[1] - start[1])
+        return bool(self._free[self.lattice.cell(x, y)].all())
+
+    def _pulled(self, start: Place, corners: list[Place]) -> list[Place]:
+        """The path pulled tight: from each place straight to the last corner that is clear."""
+        path, index, at = [], 0, start
+        while index < len(corners):
+            ahead = range(min(index + _AHEAD, len(corners)) - 1, index, -1)
+            index = next((one for one in ahead if self.is_clear(at, corners[one])), index)
+            at = corners[index]
+            path.append(at)
+            index += 1
+        return path
 
     def reaches(self, place: Place) -> bool:
         """Whether the robot may be there."""

@@ -69,6 +69,7 @@ class Truth:
             seed: of detections and drift.
         """
         self.scene, self.config, self._seed = scene, config, seed
+        self.now_s = 0.0
         self.coverage = Coverage(scene.area.lattice)
         self.people = [
             PersonState(one.name, "water" if one.where == "water" else "ground")
@@ -149,8 +150,6 @@ class Truth:
         serves = rescues and stands and away_m <= rules.serve_m and person.found_s is not None
         if person.stay(name, "serve", serves, seconds) >= rules.serve_s:
             person.served_s = self.now_s if person.served_s is None else person.served_s
-
-    now_s: float = 0.0
 
     def sectors_covered(self) -> int:
         """How many sectors are covered well enough to count."""
