@@ -63,6 +63,7 @@ BENCHMARKS = (
     Benchmark(
         "tasks", "tasks.benchmark", "compare methods of sharing out tasks, and lose messages"
     ),
+    Benchmark("search", "search.benchmark", "measure coverage planners, shares, drift, detection"),
     Benchmark("mission", "mission.benchmark", "measure what cooperation is worth in a search"),
     Benchmark("table", "sim.saved_table", "the Markdown table of a saved benchmark"),
 )

@@ -11,11 +11,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
-from scenes import random_map
 from trident_fleet.core.search.area import SearchError
 from trident_fleet.core.search.planners import PLANNERS, planner_named
 from trident_fleet.core.search.planners.base import CoverageProblem, lower_bound
 from trident_fleet.core.search.planners.boustrophedon import parts_of
+from trident_fleet.core.search.samples import random_map
 
 MAPS = range(6)
 # Mean length over the lower bound, of those that promise short paths.

@@ -4,24 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scenes import shore
 from scipy.ndimage import label
 from trident_fleet.core.search.area import SearchError
+from trident_fleet.core.search.samples import of_three_kinds
 from trident_fleet.core.search.shares import Searcher, balanced_shares
-
-
-def of_three_kinds(seed: int) -> list[Searcher]:
-    """From one base: one gets everywhere, one stays on land, one on water."""
-    land, base = shore(seed)
-    random = np.random.default_rng(seed)
-    parts = {"uav": np.ones_like(land), "ugv": land, "usv": ~land}
-    robots = []
-    for name, cells in parts.items():
-        near = np.argwhere(cells)
-        row, column = near[np.abs(near - base).sum(axis=1).argmin()]
-        seconds = 1.0 if name == "uav" else 1.0 / random.uniform(0.25, 0.7)
-        robots.append(Searcher(name, (int(row), int(column)), np.where(cells, seconds, np.inf)))
-    return robots
 
 
 @pytest.mark.parametrize("seed", range(12))

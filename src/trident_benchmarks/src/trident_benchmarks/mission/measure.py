@@ -37,7 +37,7 @@ _METRICS = (
     ("complete", "", "higher"),
     ("contacts", "", "lower"),
     ("find_s", "s", "lower"),
-    ("way_m", "m", "lower"),
+    ("path_m", "m", "lower"),
     ("messages", "", "lower"),
     *((f"curve_{60 * step}", "", "higher") for step in range(1, 16)),
 )

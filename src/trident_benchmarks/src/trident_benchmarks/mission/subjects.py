@@ -85,7 +85,7 @@ def metrics_of(outcome: Outcome) -> dict[str, float]:
         "complete": float(outcome.complete),
         "contacts": float(outcome.contacts),
         "find_s": median(outcome.find_s) if outcome.find_s else outcome.end_s,
-        "way_m": sum(outcome.way_m.values()),
+        "path_m": sum(outcome.path_m.values()),
         "messages": float(outcome.messages),
         **(last | at_60_s),
     }

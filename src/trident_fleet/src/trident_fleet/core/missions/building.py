@@ -6,8 +6,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from py_trees.behaviour import Behaviour
-
 from trident_fleet.core.missions.duties import ONLY, Duties
 from trident_fleet.core.missions.fixed import fixed_owners
 from trident_fleet.core.missions.kinds import Kind, MissionConfig
@@ -18,7 +16,7 @@ from trident_fleet.core.missions.robot import Ground, MissionRobot
 from trident_fleet.core.missions.routes import Routes
 from trident_fleet.core.missions.scene import Scene
 from trident_fleet.core.missions.setup import FIXED, Setup
-from trident_fleet.core.missions.tree_file import TreePlan
+from trident_fleet.core.missions.tree_file import Tree, TreePlan
 from trident_fleet.core.missions.vehicle import KinematicVehicle
 from trident_fleet.core.network import Channel
 from trident_fleet.core.search.area import SearchError
@@ -46,7 +44,7 @@ class Crew:
 
     robot: MissionRobot
     vehicle: KinematicVehicle
-    tree: Behaviour
+    tree: Tree
     port: TeamPort
     alive: bool = True
     cause: str = ""

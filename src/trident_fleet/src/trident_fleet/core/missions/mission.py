@@ -199,7 +199,7 @@ class Mission:
             truth.sectors_covered(),
             truth.value(),
             tuple(found),
-            {name: crew.vehicle.way_m for name, crew in self.crews.items()},
+            {name: crew.vehicle.path_m for name, crew in self.crews.items()},
             self._contacts,
             self.channel.counts["sent"],
             tuple(self._curve),

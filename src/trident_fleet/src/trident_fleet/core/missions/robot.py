@@ -52,7 +52,7 @@ class Ground:
 
 
 class Battery:
-    """Charge that is used while the robot is under way."""
+    """Charge that is used while the robot moves."""
 
     def __init__(self, endurance_s: float) -> None:
         """Full; infinite: it never ends."""

@@ -20,7 +20,7 @@ MODES: dict[str, tuple[str, ...]] = {
 """Kinds of the robots by mode."""
 
 FIXED = "fixed"
-"""The method that is none: pieces are shared out before the mission, by time."""
+"""Instead of a method: pieces are shared out before the mission, by time."""
 
 LINKS = ("network", "perfect")
 
@@ -82,7 +82,7 @@ class Outcome:
         sectors: that are covered.
         value: of all that.
         find_s: when each was found.
-        way_m: of each robot.
+        path_m: of each robot.
         contacts: instants at which two of a medium touched, away from the base.
         messages: that were sent.
         curve: coverage every ten seconds.
@@ -99,7 +99,7 @@ class Outcome:
     sectors: int
     value: float
     find_s: tuple[float, ...]
-    way_m: dict[str, float]
+    path_m: dict[str, float]
     contacts: int
     messages: int
     curve: tuple[float, ...]

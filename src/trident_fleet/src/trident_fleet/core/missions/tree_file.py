@@ -5,21 +5,33 @@
 from __future__ import annotations
 
 import dataclasses
+import importlib
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
-import py_trees
 from py_trees.common import Status
+from py_trees.composites import Selector, Sequence
 
 from trident_fleet.core.files.strict_yaml import Section, load
 from trident_fleet.core.missions.nodes import NODES
 from trident_fleet.core.missions.nodes.base import Node
 from trident_fleet.core.missions.robot import MissionRobot
 
-_COMPOSITES = ("selector", "sequence")
+_COMPOSITES: dict[str, type[Any]] = {"selector": Selector, "sequence": Sequence}
+
+# The base of all nodes; py_trees spells its name in British English.
+_BASE: Any = vars(importlib.import_module("py_trees.behaviour"))["Behaviour"]
 
 
-class Leaf(py_trees.behaviour.Behaviour):
+class Tree(Protocol):
+    """What has grown."""
+
+    def tick_once(self) -> None:
+        """Let it act once."""
+        ...
+
+
+class Leaf(_BASE):  # type: ignore[misc]
     """A node of the registry in a tree of py_trees."""
 
     def __init__(self, name: str, node: Node, robot: MissionRobot) -> None:
@@ -40,16 +52,13 @@ class TreePlan:
     children: tuple[TreePlan, ...] = ()
     node: Node | None = None
 
-    def grow(self, robot: MissionRobot) -> py_trees.behaviour.Behaviour:
+    def grow(self, robot: MissionRobot) -> Tree:
         """The tree of a robot."""
         if self.node is not None:
             return Leaf(self.kind, self.node, robot)
         children = [child.grow(robot) for child in self.children]
-        make = {
-            "selector": py_trees.composites.Selector,
-            "sequence": py_trees.composites.Sequence,
-        }[self.kind]
-        return make(self.kind, memory=False, children=children)
+        grown: Tree = _COMPOSITES[self.kind](self.kind, memory=False, children=children)
+        return grown
 
 
 def read_tree(path: Path) -> TreePlan:

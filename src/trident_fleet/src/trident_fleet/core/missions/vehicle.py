@@ -50,7 +50,7 @@ class KinematicVehicle:
         self._place, self._top_m_s = place, speed_m_s
         self._path: deque[Place] = deque()
         self._speed_m_s = 0.0
-        self.way_m = 0.0
+        self.path_m = 0.0
 
     @property
     def place(self) -> Place:
@@ -90,5 +90,5 @@ class KinematicVehicle:
                 x, y = (a + share * (b - a) for a, b in zip(self._place, goal, strict=True))
                 self._place, left_m = (x, y), 0.0
         moved_m = self._top_m_s * seconds - left_m
-        self.way_m += moved_m
+        self.path_m += moved_m
         self._speed_m_s = moved_m / seconds if seconds > 0.0 else 0.0

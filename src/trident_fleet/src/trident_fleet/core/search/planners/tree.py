@@ -92,11 +92,11 @@ def _tree_links(blocks: Mask, along_rows: bool) -> Mask:
 
 def _sides(one: Index, other: Index, shape: Cell) -> Mask:
     links = np.zeros((shape[0] * shape[1], 4), dtype=bool)
-    beside = other - one == 1
-    upward = ~beside
+    sideways = other - one == 1
+    upward = ~sideways
     if shape[1] == 1:
-        beside, upward = np.zeros_like(beside), np.ones_like(upward)
-    links[one[beside], _EAST] = links[other[beside], _WEST] = True
+        sideways, upward = np.zeros_like(sideways), np.ones_like(upward)
+    links[one[sideways], _EAST] = links[other[sideways], _WEST] = True
     links[one[upward], _NORTH] = links[other[upward], _SOUTH] = True
     return links.reshape(*shape, 4)
 
