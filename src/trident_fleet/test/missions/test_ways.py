@@ -83,7 +83,8 @@ def test_pieces_fill_the_area_and_keep_to_one_side_of_the_shore() -> None:
         rows, columns = piece.cells(area)
         count[rows, columns] += 1
         assert piece.wet == (not area.land[rows, columns].any())
-    assert (count == 1).all()
+    assert count.min() == 1
+    assert count.max() <= 2, "a row of cells that two bands share"
 
 
 @pytest.mark.parametrize("name", ["uav", "ugv", "usv"])

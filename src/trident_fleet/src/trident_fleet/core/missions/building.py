@@ -26,6 +26,8 @@ from trident_fleet.core.tasks.plan import Objective, Plan
 from trident_fleet.core.tasks.protocol import Team, Times
 
 _TIMES = Times(step_s=1.0, retry_s=1.0, lease_s=20.0, digest_s=0.5, silence_s=2.3, stagger_s=0.3)
+# Who flies loses more by turns than by sectors that are covered in part when time is up.
+_AIR_PIECE_M, _PIECE_M = 134.0, 100.0
 _SPACING_M = 3.0  # of robots of a kind at their base
 
 
@@ -66,7 +68,9 @@ class Builder:
         scene, config, setup = self.scene, self.config, self.setup
         kinds = {kind.name: kind for kind in self.kinds.values()}
         self._eyes = SharedEyes(scene.area, config)
-        pieces = pieces_of(scene.area, _band_m(kinds, False), _band_m(kinds, True))
+        flies = any(kind.domain == "air" for kind in kinds.values())
+        length_m = _AIR_PIECE_M if flies else _PIECE_M
+        pieces = pieces_of(scene.area, _band_m(kinds, False), _band_m(kinds, True), length_m)
         self._pieces = {piece.name: piece for piece in pieces}
         for name, kind in kinds.items():
             routes = Routes(scene.area, kind.domain)

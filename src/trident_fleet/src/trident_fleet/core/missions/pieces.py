@@ -15,7 +15,7 @@ from trident_fleet.core.missions.routes import Routes
 from trident_fleet.core.missions.scene import Place
 from trident_fleet.core.search.area import Array, Index, Mask, SearchArea
 
-_LENGTH_M = 134.0
+_SPREAD = 0.1  # of a band, which higher bands take in
 _ON_LANE_M = 10.0  # between points of a lane that is followed past obstacles
 
 
@@ -48,13 +48,16 @@ class Piece:
         return slice(int(low), int(high) + 1), slice(int(left), int(right) + 1)
 
 
-def pieces_of(area: SearchArea, land_m: float, water_m: float) -> list[Piece]:
-    """Bands along x, a whole number over the wet part and over the dry one, cut to about 130 m.
+def pieces_of(
+    area: SearchArea, land_m: float, water_m: float, length_m: float = 100.0
+) -> list[Piece]:
+    """Bands along x, from the borders to the shore, cut into pieces.
 
     Args:
         area: that is searched.
-        land_m: greatest height of a band on land [m].
-        water_m: greatest height of a band on the water [m].
+        land_m: height of a band on land [m].
+        water_m: height of a band on the water [m].
+        length_m: greatest length of a piece [m].
     """
     lattice = area.lattice
     dry_rows = area.land.mean(axis=1) >= 0.5
@@ -62,14 +65,27 @@ def pieces_of(area: SearchArea, land_m: float, water_m: float) -> list[Piece]:
     wet = int(np.argmax(np.cumsum(np.append(0, np.where(dry_rows, -1, 1)))))
     south, shore = lattice.origin[1], lattice.origin[1] + wet * lattice.cell_m
     north = south + lattice.size[1]
-    bands = [(band, True) for band in _cut(south, shore, water_m)]
-    bands += [(band, False) for band in _cut(shore, north, land_m)]
-    columns = _cut(lattice.origin[0], lattice.origin[0] + lattice.size[0], _LENGTH_M)
+    bands = [(band, True) for band in _bands(south, shore, water_m)]
+    bands += [((b, a), False) for a, b in _bands(north, shore, land_m)][::-1]
+    columns = _cut(lattice.origin[0], lattice.origin[0] + lattice.size[0], length_m)
     return [
         Piece(f"search/{index}_{number}", x, y, is_wet)
         for index, (y, is_wet) in enumerate(bands)
         for number, x in enumerate(columns)
     ]
+
+
+def _bands(border: float, shore: float, height: float) -> list[tuple[float, float]]:
+    """From the area's border to the shore, of this height; what little is left is spread."""
+    count = (shore - border) / height
+    sign = 1.0 if count >= 0.0 else -1.0
+    whole, left = divmod(abs(count), 1.0)
+    edges = [border + sign * number * height for number in range(int(whole) + 1)]
+    if left > _SPREAD or not whole:
+        edges.append(shore)
+    else:
+        edges = [float(edge) for edge in np.linspace(border, shore, int(whole) + 1)]
+    return [(a, b) for a, b in itertools.pairwise(edges) if abs(b - a) > 1e-6]
 
 
 def _cut(begin: float, end: float, most: float) -> list[tuple[float, float]]:
@@ -88,7 +104,7 @@ class Lanes:
     def count(self, piece: Piece) -> int:
         """How many passes a piece needs."""
         lane_m = self._kind.lane_water_m if piece.wet else self._kind.lane_land_m
-        return max(math.ceil((piece.y[1] - piece.y[0]) / lane_m - 0.02), 1)
+        return max(math.ceil((piece.y[1] - piece.y[0]) / lane_m - 0.05), 1)
 
     def work_m(self, piece: Piece) -> float:
         """Length of the passes of a piece that nobody has seen [m]."""
