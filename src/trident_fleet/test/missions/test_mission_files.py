@@ -70,7 +70,7 @@ def test_bad_trees_are_refused(text: str, what: str, tmp_path: Path) -> None:
         ("loss: 0.1", "loss: 2", "loss is 2.0, legal: 0"),
         ("leeway: person_sitting", "leeway: log", "leeway is 'log', legal: person"),
         ("serves: true", "serves: 1", "serves: 1; legal: true or false"),
-        ("until: 900.0", "until: 900.0\n  untils: 3", "untils: unknown key"),
+        ("until: 900.0", "until: 900.0\n  rounds: 3", "rounds: unknown key"),
         ("open_land: 5.0", "open_land: -5.0", "open_land is -5.0, legal: from 0"),
     ],
 )
