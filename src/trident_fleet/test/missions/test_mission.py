@@ -58,6 +58,17 @@ def test_when_a_robot_dies_the_others_do_what_they_can() -> None:
     assert not held, "what it held has been given to others, or to nobody"
 
 
+def test_fixed_shares_are_searched_by_their_owners() -> None:
+    made = mission(Setup(method="fixed"))
+    for _ in range(60):
+        made.step()
+    records = made.crews["uav1"].robot.member.follower.book.records
+    pieces = {name: record for name, record in records.items() if name.startswith("search/")}
+    asked = [record.task.requirements for record in pieces.values()]
+    assert all("only uav1" in text or "only usv1" in text for text in asked)
+    assert any("only usv1" in text for text in asked)
+
+
 def test_without_any_link_all_come_home() -> None:
     out = tuple((name, 0.0, 1e9) for name in names_of("joint"))
     made = mission(Setup(silences=out))

@@ -57,6 +57,9 @@ def test_bad_input_names_what_is_wrong() -> None:
         balanced_shares([Searcher("a", (9, 0), seconds)])
     with pytest.raises(SearchError, match=r"seconds of b have shape \(2, 2\), legal: \(4, 4\)"):
         balanced_shares([Searcher("a", (0, 0), seconds), Searcher("b", (0, 0), np.ones((2, 2)))])
+    dry = np.where(np.arange(16).reshape(4, 4) > 0, 1.0, np.inf)
+    with pytest.raises(SearchError, match=r"start of a is \(0, 0\), legal: a cell that it gets"):
+        balanced_shares([Searcher("a", (0, 0), dry)])
     with pytest.raises(SearchError, match="seconds of a, legal: all above 0"):
         balanced_shares([Searcher("a", (0, 0), np.zeros((4, 4)))])
     with pytest.raises(SearchError, match=r"tolerance is 1.0, legal: 0 ... 1"):

@@ -36,10 +36,10 @@ def fixed_owners(
             if kind.domain in searchers_of(piece, flies):
                 seconds[cell[piece.name]] = grounds[kind.name].work_m[piece.place] / kind.speed_m_s
         free = np.argwhere(np.isfinite(seconds))
-        start = (int(free[0][0]), int(free[0][1])) if len(free) else (0, 0)
-        searchers.append(Searcher(name, start, seconds))
+        if len(free):
+            searchers.append(Searcher(name, (int(free[0][0]), int(free[0][1])), seconds))
     owner = balanced_shares(searchers).owner
-    names = list(kinds)
+    names = [searcher.name for searcher in searchers]
     return {
         piece.name: names[owner[cell[piece.name]]]
         for piece in pieces

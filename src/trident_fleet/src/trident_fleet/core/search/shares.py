@@ -113,6 +113,10 @@ def _check(robots: Sequence[Searcher], tolerance: float) -> None:
         row, column = robot.start
         if not (0 <= row < shape[0] and 0 <= column < shape[1]):
             raise SearchError(f"shares: start of {robot.name} is {robot.start}, legal: on the grid")
+        if not math.isfinite(robot.seconds[row, column]):
+            raise SearchError(
+                f"shares: start of {robot.name} is {robot.start}, legal: a cell that it gets to"
+            )
         if not (robot.seconds > 0.0).all():
             raise SearchError(f"shares: seconds of {robot.name}, legal: all above 0")
 
