@@ -75,6 +75,12 @@ def test_a_word_counts_only_in_its_scope(clone: Path) -> None:
     assert _found(clone, "a.h", "// k most\n") == []
 
 
+def test_a_name_of_another_project_is_its_own(clone: Path) -> None:
+    table = _TABLE.replace("term: report}", "term: report, upstream: [lips.Spoken]}")
+    _write(clone / words.TABLE, table)
+    assert _found(clone, "a.py", "a: lips.Spoken\nspoken = 1\n") == [(2, "spoken")]
+
+
 def test_a_part_of_a_word_is_no_match(clone: Path) -> None:
     assert _found(clone, "a.h", "// respoken, spoken-off, unspoken\nint respoken;\n") == []
 

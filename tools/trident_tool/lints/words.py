@@ -45,12 +45,14 @@ class Word:
         term: the standard term, or several that fit in different places.
         forms: matches any of its forms.
         scopes: IDENTIFIERS, PROSE or both.
+        upstream: names of other projects that have it, whole.
     """
 
     name: str
     term: str
     forms: re.Pattern[str]
     scopes: frozenset[str]
+    upstream: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -67,7 +69,7 @@ def read_words(path: Path) -> list[Word]:
     """Reads the table.
 
     Raises:
-        TridentError: an entry has another form than name: {forms, term, in}.
+        TridentError: an entry has another form than name: {forms, term, in, upstream}.
     """
     table = yaml.safe_load(path.read_text(encoding="utf-8"))
     return [_read_word(path, name, entry) for name, entry in table.items()]
@@ -81,7 +83,12 @@ def _read_word(path: Path, name: str, entry: Mapping[str, object]) -> Word:
         raise TridentError(f"{path}: {name}: needs 'forms' (a list) and 'term'")
     alternatives = "|".join(r"\s+".join(map(re.escape, str(form).split())) for form in forms)
     pattern = re.compile(rf"(?<![\w-])(?:{alternatives})(?![\w-])", re.IGNORECASE)
-    return Word(name, str(entry["term"]), pattern, frozenset(scopes))
+    upstream = entry.get("upstream", [])
+    if not isinstance(upstream, list):
+        raise TridentError(f"{path}: {name}: 'upstream' is a list of names")
+    return Word(
+        name, str(entry["term"]), pattern, frozenset(scopes), tuple(str(one) for one in upstream)
+    )
 
 
 def tokens(text: str, python: bool) -> Iterator[tuple[int, str, str]]:
@@ -116,6 +123,8 @@ class _Finder:
 def find_places(path: Path, text: str, words: Iterable[Word]) -> Iterator[Place]:
     """Every occurrence of the words in one source, in order."""
     listed = list(words)
+    for name in (name for word in listed for name in word.upstream):
+        text = text.replace(name, " " * len(name))
     finders = {scope: _Finder(listed, scope) for scope in (IDENTIFIERS, PROSE)}
     for start, scope, token in tokens(text, path.suffix not in (".h", ".cpp")):
         for word, match in finders[scope].find(token):

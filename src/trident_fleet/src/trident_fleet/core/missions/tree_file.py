@@ -5,10 +5,10 @@
 from __future__ import annotations
 
 import dataclasses
-import importlib
 from pathlib import Path
 from typing import Any, Protocol
 
+import py_trees
 from py_trees.common import Status
 from py_trees.composites import Selector, Sequence
 
@@ -19,9 +19,6 @@ from trident_fleet.core.missions.robot import MissionRobot
 
 _COMPOSITES: dict[str, type[Any]] = {"selector": Selector, "sequence": Sequence}
 
-# The base of all nodes; py_trees spells its name in British English.
-_BASE: Any = vars(importlib.import_module("py_trees.behaviour"))["Behaviour"]
-
 
 class Tree(Protocol):
     """What has grown."""
@@ -31,7 +28,7 @@ class Tree(Protocol):
         ...
 
 
-class Leaf(_BASE):  # type: ignore[misc]
+class Leaf(py_trees.behaviour.Behaviour):  # type: ignore[misc]
     """A node of the registry in a tree of py_trees."""
 
     def __init__(self, name: str, node: Node, robot: MissionRobot) -> None:
