@@ -46,6 +46,7 @@ NO_NODES = {
     "trident_benchmarks/nav_drive_pains": "reads scenes from a file; never calls ros::init",
     "trident_benchmarks/nav_people": "reads crossings from a file; never calls ros::init",
     "trident_benchmarks/nav_trial": "reads a task from a file; never calls ros::init",
+    "trident_benchmarks/trajectory_trial": "plans teams of its own; never calls ros::init",
     "trident_eval/fleet_markers.py": "becomes trident_viewer's",
     "trident_eval/hold_at.py": "becomes trident_viewer's",
     "trident_eval/mavlink_demo.py": "speaks MAVLink to a port; never knows a master",

@@ -59,6 +59,7 @@ BENCHMARKS = (
     Benchmark("links", "links.benchmark", "compare radios with ns-3, and measure what they cost"),
     Benchmark("bridges", "bridges.benchmark", "measure bridges between ROS and other protocols"),
     Benchmark("sitl", "sitl.benchmark", "fly with stand-ins for PX4 and ArduPilot in lockstep"),
+    Benchmark("trajectories", "trajectories.benchmark", "plan teams in space and time"),
     Benchmark("sweeps", "sweeps.benchmark", "measure what a sweep costs around its runs"),
     Benchmark(
         "tasks", "tasks.benchmark", "compare methods of sharing out tasks, and lose messages"
