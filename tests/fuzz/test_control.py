@@ -8,13 +8,16 @@ from typing import Any
 
 import pytest
 import yaml
-from geometry_msgs.msg import PoseStamped, Transform
-from hostile import Asked, answers_on, odometry, started
+from geometry_msgs.msg import Pose, PoseStamped, Transform
+from hostile import Asked, answers_on, odometry, service, started, withstands
 from mav_msgs.msg import Actuators, AttitudeThrust, RateThrust, RollPitchYawrateThrust
 from nav_msgs.msg import Path
 from std_msgs.msg import Float32, Header
 from trajectory_msgs.msg import MultiDOFJointTrajectory, MultiDOFJointTrajectoryPoint
 from trident.testing import Ros, package, program
+
+from trident_msgs.msg import TimedPath, TrajectoryLimits
+from trident_msgs.srv import OptimizeTrajectories, OptimizeTrajectoriesRequest
 
 
 def firefly(gains: str) -> dict[str, Any]:
@@ -83,3 +86,30 @@ def test_vessel_controller(ros: Ros) -> None:
         package="trident_control",
         answer="thrusters/left_thrust_cmd",
     )
+
+
+def team() -> OptimizeTrajectoriesRequest:
+    """Two UAVs that change places."""
+    request = OptimizeTrajectoriesRequest()
+    for robot, x in (("a", 4.0), ("b", -4.0)):
+        path = TimedPath(robot=robot, kind="uav", times=[0.0, 6.0], poses=[Pose(), Pose()])
+        for pose, sign in zip(path.poses, (1.0, -1.0), strict=True):
+            pose.position.x, pose.position.z, pose.orientation.w = sign * x, 5.0, 1.0
+        request.initial.append(path)
+        limits = TrajectoryLimits(robot=robot, max_velocity=4.0, collision_radius=0.5)
+        request.limits.append(limits)
+    return request
+
+
+@pytest.mark.fuzzes("trident_control/trajectory_optimizer_node")
+def test_trajectory_optimizer(ros: Ros) -> None:
+    node = "/trajectory_optimizer"
+    process = started(ros, node, [program("trident_control", "trajectory_optimizer_node")])
+    plan = service("/optimize_trajectories", OptimizeTrajectories)
+
+    def is_planned() -> None:
+        answer = plan(team())
+        assert answer.success, answer.message
+        assert len(answer.result) == 2
+
+    withstands(process, node, is_planned, {"/optimize_trajectories": team()})
