@@ -10,9 +10,10 @@
 namespace trident::control::trajectories {
 namespace {
 
-constexpr double kPeakTolerance = 1e-5;  // of g
-constexpr double kShortest_s = 1e-3;     // that obstacles are looked at
-constexpr int kThrustSamples = 50;       // per segment
+constexpr double kPeakTolerance = 1e-5;   // of g
+constexpr int kMaxObstacleParts = 20000;  // of one piece that are compared with obstacles
+constexpr double kShortest_s = 1e-3;      // that obstacles are looked at
+constexpr int kThrustSamples = 50;        // per segment
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
 /// Bernstein coefficients of a polynomial by its derivatives at the begin of an interval of length
@@ -223,7 +224,7 @@ Peak HullCheck::obstacle(std::size_t robot) const {
   Eigen::Vector3d slope;
   for (const Piece& whole : pieces_[robot]) {
     std::vector<Piece> parts = {whole};
-    while (!parts.empty()) {
+    for (int looked_at = 0; !parts.empty() && looked_at < kMaxObstacleParts; ++looked_at) {
       const Piece part = parts.back();
       parts.pop_back();
       Piece left{part.begin, 0.5 * (part.begin + part.end), {}};

@@ -13,6 +13,7 @@ namespace trident::control::trajectories {
 namespace {
 
 constexpr double kSamePlane_m = 1e-6;
+constexpr double kLeast = 1e-3, kGreatest = 1e6;  // of limits, sizes and times, in their units
 
 struct KindName {
   const char* name;
@@ -49,8 +50,15 @@ void check(bool is_legal, const std::string& where, const std::string& field, do
   if (!is_legal) refuse(where, field, value, legal);
 }
 
-void check_positive(const std::string& where, const std::string& field, double value) {
-  check(value > 0.0, where, field, value, "> 0");
+/// A limit that may be left out: numbers that make sense for a robot, so that no square of them
+/// is lost.
+void check_limit(const std::string& where, const std::string& field, double value) {
+  check((value >= kLeast && value <= kGreatest) || value == kUnlimited, where, field, value,
+        "0.001 ... 1e6, or infinite");
+}
+
+void check_size(const std::string& where, const std::string& field, double value) {
+  check(value >= kLeast && value <= kGreatest, where, field, value, "0.001 ... 1e6");
 }
 
 void check_index(std::size_t index, std::size_t size, const std::string& where,
@@ -62,8 +70,8 @@ void check_index(std::size_t index, std::size_t size, const std::string& where,
 void check_finite(const MotionState& state, const std::string& where) {
   const auto check_vector = [&](const char* field, const Eigen::Vector3d& value) {
     for (int axis = 0; axis < 3; ++axis)
-      check(std::isfinite(value[axis]), where, std::string(field) + "." + "xyz"[axis], value[axis],
-            "a finite number");
+      check(std::abs(value[axis]) <= kGreatest, where, std::string(field) + "." + "xyz"[axis],
+            value[axis], "-1e6 ... 1e6");
   };
   check_vector("position", state.p);
   check_vector("velocity", state.v);
@@ -72,19 +80,16 @@ void check_finite(const MotionState& state, const std::string& where) {
 
 void check_limits(const Robot& robot, const std::string& where) {
   const Limits& limits = robot.limits;
-  check_positive(where, "max_velocity", limits.max_velocity);
-  check(std::isfinite(limits.max_velocity), where, "max_velocity", limits.max_velocity, "finite");
-  check_positive(where, "max_acceleration", limits.max_acceleration);
-  check_positive(where, "max_jerk", limits.max_jerk);
-  check_positive(where, "max_turn_rate", limits.max_turn_rate);
-  check_positive(where, "max_thrust", limits.max_thrust);
-  check_positive(where, "max_reverse_thrust", limits.max_reverse_thrust);
-  check_positive(where, "collision_radius", limits.collision_radius);
-  check(std::isfinite(limits.collision_radius), where, "collision_radius", limits.collision_radius,
-        "finite");
-  check(limits.min_turning_radius >= 0.0 && std::isfinite(limits.min_turning_radius), where,
-        "min_turning_radius", limits.min_turning_radius, ">= 0");
-  check(robot.drag >= 0.0 && std::isfinite(robot.drag), where, "drag", robot.drag, ">= 0");
+  check_size(where, "max_velocity", limits.max_velocity);
+  check_limit(where, "max_acceleration", limits.max_acceleration);
+  check_limit(where, "max_jerk", limits.max_jerk);
+  check_limit(where, "max_turn_rate", limits.max_turn_rate);
+  check_limit(where, "max_thrust", limits.max_thrust);
+  check_limit(where, "max_reverse_thrust", limits.max_reverse_thrust);
+  check_size(where, "collision_radius", limits.collision_radius);
+  check(limits.min_turning_radius >= 0.0 && limits.min_turning_radius <= kGreatest, where,
+        "min_turning_radius", limits.min_turning_radius, "0 ... 1e6");
+  check(robot.drag >= 0.0 && robot.drag <= kGreatest, where, "drag", robot.drag, "0 ... 1e6");
 }
 
 void check_surge(const SurgeModel& surge, const std::string& where) {
@@ -128,8 +133,7 @@ void check_robot(const Problem& problem, const Robot& robot) {
 
 void check_duration(const Duration& duration, std::size_t i) {
   const std::string where = "duration " + std::to_string(i);
-  check(duration.value > 0.0 && std::isfinite(duration.value), where, "value", duration.value,
-        "> 0");
+  check_size(where, "value", duration.value);
   if (!duration.is_free) return;
   check(duration.min >= 0.0 && duration.min <= duration.value, where, "min", duration.min,
         "0 ... value");

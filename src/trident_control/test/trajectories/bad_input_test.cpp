@@ -51,11 +51,11 @@ TEST(BadInput, TimesOfAPredictionMustGrow) {
 TEST(BadInput, NotANumberNamesTheField) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refusal_of([&](Problem& problem) { problem.robots[0].start.p.y() = nan; }),
-            "robot 'uav' start: position.y is nan; legal is a finite number");
+            "robot 'uav' start: position.y is nan; legal is -1e6 ... 1e6");
   EXPECT_EQ(refusal_of([&](Problem& problem) { problem.robots[0].limits.max_velocity = nan; }),
-            "robot 'uav': max_velocity is nan; legal is > 0");
+            "robot 'uav': max_velocity is nan; legal is 0.001 ... 1e6");
   EXPECT_EQ(refusal_of([&](Problem& problem) { problem.durations[1].value = nan; }),
-            "duration 1: value is nan; legal is > 0");
+            "duration 1: value is nan; legal is 0.001 ... 1e6");
 }
 
 TEST(BadInput, UnknownNamesListTheLegalOnes) {

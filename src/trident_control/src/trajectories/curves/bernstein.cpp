@@ -3,13 +3,15 @@
 #include "trajectories/curves/bernstein.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
 namespace trident::control::trajectories {
 namespace {
 
-constexpr int kMaxDepth = 40;  // of halvings: below that doubles do not distinguish values
+constexpr int kMaxParts = 20000;  // that are looked at; what is left then counts by its bound
+constexpr int kMaxDepth = 40;     // of halvings: below that doubles do not distinguish values
 
 using Binomials =
     std::array<std::array<double, Bernstein::kMaxDegree + 1>, Bernstein::kMaxDegree + 1>;
@@ -122,9 +124,11 @@ Greatest greatest_ratio(const Bernstein& top, const Bernstein& bottom, double fl
   look_at_ends(whole, best);
   if (bound(whole) <= std::max(best.value, floor)) return best;
   std::vector<Part> parts = {whole};
-  while (!parts.empty()) {
+  for (int looked_at = 0; !parts.empty(); ++looked_at) {
     const Part part = parts.back();
     parts.pop_back();
+    if (looked_at > kMaxParts || !std::isfinite(part.top.at_begin()))
+      return {std::max(best.value, bound(part)), part.begin};
     if (bound(part) <= std::max(best.value + tolerance, floor) || part.depth > kMaxDepth) continue;
     Part left{{}, {}, part.begin, 0.5 * part.length, part.depth + 1};
     Part right{{}, {}, part.begin + left.length, left.length, part.depth + 1};
