@@ -10,6 +10,7 @@
 
 #include "trident_base/error.h"
 #include "trident_control/trajectories/certificate.h"
+#include "trident_ros/message_checks.h"
 
 namespace trident::control {
 namespace {
@@ -18,7 +19,9 @@ using namespace trajectories;  // NOLINT: the names of one library
 using Request = trident_msgs::OptimizeTrajectories::Request;
 using Response = trident_msgs::OptimizeTrajectories::Response;
 
-constexpr double kStep_s = 0.05;  // between the samples of an answer
+constexpr double kLongest_s = 3600.0;     // of a path
+constexpr std::size_t kMostRobots = 100;  // of a request
+constexpr double kStep_s = 0.05;          // between the samples of an answer
 
 Eigen::Vector3d vector_of(const geometry_msgs::Point& p) { return {p.x, p.y, p.z}; }
 Eigen::Vector3d vector_of(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
@@ -35,6 +38,14 @@ void check_path(const trident_msgs::TimedPath& path) {
     if (!std::isfinite(path.times[i]) || (i > 0 && path.times[i] <= path.times[i - 1]))
       throw Error(where + "times[" + std::to_string(i) + "] is " + std::to_string(path.times[i]) +
                   "; legal are finite times that grow");
+  }
+  if (path.times.back() > kLongest_s)
+    throw Error(where + "the last time is " + std::to_string(path.times.back()) +
+                "; legal is <= " + std::to_string(kLongest_s));
+  for (std::size_t i = 0; i < path.poses.size(); ++i) {
+    const std::string problem =
+        ros_utils::rotation_problem(path.poses[i].orientation, "orientation", 1.0);
+    if (!problem.empty()) throw Error(where + "poses[" + std::to_string(i) + "]: " + problem);
   }
   if (path.times.front() < 0.0)
     throw Error(where + "times[0] is " + std::to_string(path.times.front()) + "; legal is >= 0");
@@ -157,6 +168,9 @@ Problem problem_of(const Request& request, OptimizeOptions& options) {
                                  problem.durations);
     problem.robots.push_back(robot);
   }
+  if (problem.robots.size() > kMostRobots)
+    throw Error("initial: " + std::to_string(problem.robots.size()) + " paths; legal are 1 ... " +
+                std::to_string(kMostRobots));
   if (problem.robots.empty()) throw Error("initial: no path; legal are 1 or more");
   add_constraints(wanted, problem);
   return problem;
