@@ -19,9 +19,9 @@ using namespace trajectories;  // NOLINT: the names of one library
 using Request = trident_msgs::OptimizeTrajectories::Request;
 using Response = trident_msgs::OptimizeTrajectories::Response;
 
-constexpr double kLongest_s = 3600.0;     // of a path
-constexpr std::size_t kMostRobots = 100;  // of a request
-constexpr double kStep_s = 0.05;          // between the samples of an answer
+constexpr double kLongest_s = 3600.0;    // of a path
+constexpr std::size_t kMaxRobots = 100;  // of a request
+constexpr double kStep_s = 0.05;         // between the samples of an answer
 
 Eigen::Vector3d vector_of(const geometry_msgs::Point& p) { return {p.x, p.y, p.z}; }
 Eigen::Vector3d vector_of(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
@@ -168,9 +168,9 @@ Problem problem_of(const Request& request, OptimizeOptions& options) {
                                  problem.durations);
     problem.robots.push_back(robot);
   }
-  if (problem.robots.size() > kMostRobots)
+  if (problem.robots.size() > kMaxRobots)
     throw Error("initial: " + std::to_string(problem.robots.size()) + " paths; legal are 1 ... " +
-                std::to_string(kMostRobots));
+                std::to_string(kMaxRobots));
   if (problem.robots.empty()) throw Error("initial: no path; legal are 1 or more");
   add_constraints(wanted, problem);
   return problem;

@@ -13,7 +13,7 @@ namespace trident::control::trajectories {
 namespace {
 
 constexpr double kSamePlane_m = 1e-6;
-constexpr double kLeast = 1e-3, kGreatest = 1e6;  // of limits, sizes and times, in their units
+constexpr double kMinNumber = 1e-3, kMaxNumber = 1e6;  // of limits, sizes and times, in their units
 
 struct KindName {
   const char* name;
@@ -53,12 +53,12 @@ void check(bool is_legal, const std::string& where, const std::string& field, do
 /// A limit that may be left out: numbers that make sense for a robot, so that no square of them
 /// is lost.
 void check_limit(const std::string& where, const std::string& field, double value) {
-  check((value >= kLeast && value <= kGreatest) || value == kUnlimited, where, field, value,
+  check((value >= kMinNumber && value <= kMaxNumber) || value == kUnlimited, where, field, value,
         "0.001 ... 1e6, or infinite");
 }
 
 void check_size(const std::string& where, const std::string& field, double value) {
-  check(value >= kLeast && value <= kGreatest, where, field, value, "0.001 ... 1e6");
+  check(value >= kMinNumber && value <= kMaxNumber, where, field, value, "0.001 ... 1e6");
 }
 
 void check_index(std::size_t index, std::size_t size, const std::string& where,
@@ -70,7 +70,7 @@ void check_index(std::size_t index, std::size_t size, const std::string& where,
 void check_finite(const MotionState& state, const std::string& where) {
   const auto check_vector = [&](const char* field, const Eigen::Vector3d& value) {
     for (int axis = 0; axis < 3; ++axis)
-      check(std::abs(value[axis]) <= kGreatest, where, std::string(field) + "." + "xyz"[axis],
+      check(std::abs(value[axis]) <= kMaxNumber, where, std::string(field) + "." + "xyz"[axis],
             value[axis], "-1e6 ... 1e6");
   };
   check_vector("position", state.p);
@@ -87,9 +87,9 @@ void check_limits(const Robot& robot, const std::string& where) {
   check_limit(where, "max_thrust", limits.max_thrust);
   check_limit(where, "max_reverse_thrust", limits.max_reverse_thrust);
   check_size(where, "collision_radius", limits.collision_radius);
-  check(limits.min_turning_radius >= 0.0 && limits.min_turning_radius <= kGreatest, where,
+  check(limits.min_turning_radius >= 0.0 && limits.min_turning_radius <= kMaxNumber, where,
         "min_turning_radius", limits.min_turning_radius, "0 ... 1e6");
-  check(robot.drag >= 0.0 && robot.drag <= kGreatest, where, "drag", robot.drag, "0 ... 1e6");
+  check(robot.drag >= 0.0 && robot.drag <= kMaxNumber, where, "drag", robot.drag, "0 ... 1e6");
 }
 
 void check_surge(const SurgeModel& surge, const std::string& where) {
