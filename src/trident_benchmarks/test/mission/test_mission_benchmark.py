@@ -67,7 +67,10 @@ def test_a_row_has_means_with_lower_ends_and_fails_where_rivals_are_weak() -> No
     assert joint["efficiency_gain_low"] < 2.0
     assert joint["found"] == pytest.approx(11.0 / 12.0)
     assert "+250 %" in line(joint)
-    assert "missed" in line(row)
+    assert "(missed: efficiency at least 2.52)" in line(row)
+    assert not joint["passed"]
+    for key in ("coverage at least 0.97", "efficiency_gain_low at least 2.2"):
+        assert key in line(joint)
 
 
 def test_curves_are_drawn_with_bands(tmp_path: Path) -> None:
