@@ -60,6 +60,7 @@ COMMANDS = (
     "view",
     "links",
     "task",
+    "mission",
     "nmea",
     "latency",
     "modbus",

@@ -170,6 +170,48 @@ def add_sweep(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_mission(parser: argparse.ArgumentParser) -> None:
+    """Of `./trident mission`."""
+    parser.add_argument("action", choices=["fly", "check", "draw"], help="what to do")
+    parser.add_argument(
+        "file", nargs="?", type=Path, metavar="TREE.yaml", help="a behavior tree; default: ours"
+    )
+    parser.add_argument("--numbers", type=Path, metavar="FILE.yaml", help="of robots and rules")
+    parser.add_argument("--scene", type=Path, metavar="COAST.scene.yaml", help="default: by seed")
+    parser.add_argument(
+        "--seed", type=_seed, default=1, metavar="N", help="of the coast, and of all"
+    )
+    parser.add_argument(
+        "--mode", default="joint", metavar="NAME", help="joint (default), uav, three_ugvs …"
+    )
+    parser.add_argument(
+        "--method", default="improved", metavar="NAME", help="of allocation; default: %(default)s"
+    )
+    parser.add_argument(
+        "--links", default="network", metavar="NAME", help="network (default), or perfect"
+    )
+    parser.add_argument(
+        "--kill", action="append", default=[], metavar="ROBOT@S", help="it dies; may be repeated"
+    )
+    parser.add_argument(
+        "--until", type=_time, default=float("inf"), metavar="S", help="end earlier"
+    )
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="of fly: default mission; of draw: a PNG"
+    )
+
+
+def _seed(text: str) -> int:
+    return _whole(text, 0, 2**32 - 1)
+
+
+def _time(text: str) -> float:
+    value = float(text)
+    if not value > 0.0:
+        raise argparse.ArgumentTypeError(f"{text} is not legal; legal: above 0 s")
+    return value
+
+
 def _engine(text: str) -> str:
     if text not in ("local", "dask") and not text.startswith("dask:tcp://"):
         raise argparse.ArgumentTypeError(f"{text}; legal: local, dask, dask:tcp://HOST:PORT")
@@ -213,6 +255,12 @@ COMMANDS = (
         ("trident_eval.sweep",),
         "many seeded runs of a function or a launch file: table, intervals, report",
         add_sweep,
+    ),
+    Command(
+        "mission",
+        ("trident_eval.mission",),
+        "fly a search and rescue without ROS, check or draw its behavior tree",
+        add_mission,
     ),
     Command(
         "posegraph",

@@ -28,7 +28,7 @@ class Tree(Protocol):
         ...
 
 
-class Leaf(py_trees.behaviour.Behaviour):  # type: ignore[misc]
+class Leaf(py_trees.behaviour.Behaviour):
     """A node of the registry in a tree of py_trees."""
 
     def __init__(self, name: str, node: Node, robot: MissionRobot) -> None:
