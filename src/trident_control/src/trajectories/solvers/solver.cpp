@@ -37,6 +37,7 @@ constexpr std::array kMethods = {
 
 std::vector<std::string> method_names() {
   std::vector<std::string> names;
+  names.reserve(kMethods.size());
   for (const Method& method : kMethods) names.emplace_back(method.name);
   return names;
 }
