@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 from py_trees.common import Status
@@ -16,15 +17,15 @@ STEP_S = 0.5
 
 
 @dataclass(frozen=True)
-class Node:
+class Node(ABC):
     """A leaf: ticked once a step while it is its turn. Its fields are its parameters.
 
     Nodes keep nothing between ticks: what a robot is about stands in the robot.
     """
 
+    @abstractmethod
     def tick(self, robot: MissionRobot) -> Status:
         """Act; SUCCESS: it is done or true, RUNNING: it goes further, FAILURE: not its turn."""
-        raise NotImplementedError
 
 
 def task_of(robot: MissionRobot, kind: str) -> TaskAnnounce | None:
