@@ -101,10 +101,10 @@ def team() -> OptimizeTrajectoriesRequest:
     return request
 
 
-@pytest.mark.fuzzes("trident_control/trajectory_optimizer_node")
+@pytest.mark.fuzzes("trident_trajectories/trajectory_optimizer_node")
 def test_trajectory_optimizer(ros: Ros) -> None:
     node = "/trajectory_optimizer"
-    process = started(ros, node, [program("trident_control", "trajectory_optimizer_node")])
+    process = started(ros, node, [program("trident_trajectories", "trajectory_optimizer_node")])
     plan = service("/optimize_trajectories", OptimizeTrajectories)
 
     def is_planned() -> None:

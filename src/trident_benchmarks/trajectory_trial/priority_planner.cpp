@@ -8,7 +8,7 @@
 namespace trident::benchmarks {
 namespace {
 
-using namespace control::trajectories;  // NOLINT: the names of one library
+using namespace trajectories;  // NOLINT: the names of one library
 
 constexpr std::array kDelays = {0.0, 0.15, 0.3};                      // of the duration
 constexpr std::array kBows = {0.0, 2.0, -2.0, 4.0, -4.0, 7.0, -7.0};  // to the left [m]

@@ -9,7 +9,7 @@
 namespace trident::benchmarks {
 namespace {
 
-using namespace control::trajectories;  // NOLINT: the names of one library
+using namespace trajectories;  // NOLINT: the names of one library
 
 /// Speed below which a heading is held, as a share of the greatest.
 constexpr double kFloor = 0.05;

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "trident_control/trajectories/problem.h"
-#include "trident_control/trajectories/trajectory.h"
+#include "trident_trajectories/problem.h"
+#include "trident_trajectories/trajectory.h"
 
 namespace trident::benchmarks {
 
@@ -19,19 +19,18 @@ struct Instant {
 using Path = std::function<Instant(double)>;
 
 /// The optimizer's trajectory as a path.
-Path path_of(const control::trajectories::Trajectory& trajectory);
+Path path_of(const trajectories::Trajectory& trajectory);
 
 /// By how much a robot misses its own limits at an instant, relative; negative within. Written
 /// from the definitions of the limits, without the optimizer's own code.
-double own_excess(const control::trajectories::Problem& problem, std::size_t robot,
-                  const Instant& at);
+double own_excess(const trajectories::Problem& problem, std::size_t robot, const Instant& at);
 
 /// The same for the separation of two.
-double pair_excess(const control::trajectories::Problem& problem, std::size_t first,
-                   std::size_t second, const Eigen::Vector3d& p, const Eigen::Vector3d& q);
+double pair_excess(const trajectories::Problem& problem, std::size_t first, std::size_t second,
+                   const Eigen::Vector3d& p, const Eigen::Vector3d& q);
 
 /// The greatest excess of all limits at `rate` [Hz] samples.
-double sampled_excess(const control::trajectories::Problem& problem, const std::vector<Path>& paths,
+double sampled_excess(const trajectories::Problem& problem, const std::vector<Path>& paths,
                       double duration, double rate);
 
 }  // namespace trident::benchmarks

@@ -13,7 +13,7 @@
 namespace trident::benchmarks {
 namespace {
 
-using namespace control::trajectories;  // NOLINT: the names of one library
+using namespace trajectories;  // NOLINT: the names of one library
 
 /// Uniform numbers, one after another.
 class Draw {

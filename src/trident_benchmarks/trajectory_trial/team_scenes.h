@@ -5,32 +5,32 @@
 #include <cstdint>
 #include <string>
 
-#include "trident_control/trajectories/problem.h"
-#include "trident_control/trajectories/violation.h"
+#include "trident_trajectories/problem.h"
+#include "trident_trajectories/violation.h"
 
 namespace trident::benchmarks {
 
 /// UAVs that change places across a circle of 8 m in 6 s: 1.5 m apart, 6 m/s, 5 m/s^2.
-control::trajectories::Problem antipodal_swap(int robots);
+trajectories::Problem antipodal_swap(int robots);
 
 /// A UAV, a ground robot and a vessel that gather at a place that is chosen.
-control::trajectories::Problem three_platform_rendezvous();
+trajectories::Problem three_platform_rendezvous();
 
 /// A UAV that lands on a boat under path in a swell of 0.3 m, at a time that is chosen.
-control::trajectories::Problem moving_boat_landing();
+trajectories::Problem moving_boat_landing();
 
 /// Eight ground robots that cross a field of 50 round obstacles, whose distances lie in a grid.
-control::trajectories::Problem field_crossing();
+trajectories::Problem field_crossing();
 
 /// 2 - 20 robots of three kinds among up to ten obstacles, with starts and goals that are clear of
 /// each other. Whether it can be solved is not known.
-control::trajectories::Problem random_team(std::uint64_t seed);
+trajectories::Problem random_team(std::uint64_t seed);
 
 /// A problem that cannot be solved, and why.
 struct InfeasibleTeam {
-  control::trajectories::Problem problem;
-  control::trajectories::LimitKind limit;  ///< the one that is to blame
-  std::size_t robot;                       ///< one of those who miss it
+  trajectories::Problem problem;
+  trajectories::LimitKind limit;  ///< the one that is to blame
+  std::size_t robot;              ///< one of those who miss it
 };
 
 /// A small random team with one planted limit that mathematics forbids to keep: the mean speed, the

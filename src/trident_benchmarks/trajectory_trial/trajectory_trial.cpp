@@ -16,12 +16,12 @@
 #include "priority_planner.h"
 #include "sampled_check.h"
 #include "team_scenes.h"
-#include "trident_control/trajectories/optimize.h"
+#include "trident_trajectories/optimize.h"
 
 namespace {
 
 namespace bench = trident::benchmarks;
-namespace plan = trident::control::trajectories;
+namespace plan = trident::trajectories;
 using nlohmann::json;
 
 constexpr double kRate_Hz = 1000.0;
