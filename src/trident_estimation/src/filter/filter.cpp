@@ -4,11 +4,13 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "filter/covariance.h"
 #include "filter/differences.h"
+#include "filter/intersection.h"
 #include "filter/moments.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
@@ -29,10 +31,80 @@ std::string problem_of(const Measurement& measurement, SimTime stamp) {
   return covariance_problem(measurement.R, measurement.z.size());
 }
 
+constexpr double kUnknown = 2.0;  // bounds the covariance of a difference, whatever they share
+
+// Everything that an update is made of.
+struct Update {
+  const Measurement& measurement;
+  const Eigen::MatrixXd& P;
+  Eigen::MatrixXd columns;  // of P, for the rows of H
+  Expectation expected;
+  Eigen::MatrixXd noise;  // of the measurement, and what no straight line explains
+};
+
 Outcome refused(const Measurement& measurement, const std::string& reason) {
   Outcome outcome;
   outcome.reason = measurement.source + ": " + reason;
   return outcome;
+}
+
+// `factor` times the variances of what a measurement depends on, with the same correlations.
+Eigen::MatrixXd widened(const Eigen::MatrixXd& P, const Measurement& measurement, double factor) {
+  if (factor == 1.0) return P;
+  if (measurement.dofs.empty()) return factor * P;
+  Eigen::MatrixXd result = P;
+  for (const Eigen::Index dof : measurement.dofs) {
+    result.row(dof) *= std::sqrt(factor);
+    result.col(dof) *= std::sqrt(factor);
+  }
+  return result;
+}
+
+// What is to become of it, if the correction is finite.
+Outcome judged(const Update& update) {
+  const Measurement& measurement = update.measurement;
+  Outcome outcome;
+  outcome.innovation = update.expected.innovation;
+  outcome.S = update.expected.S - update.expected.unexplained + update.noise;
+  if (measurement.is_shared) outcome.S *= kUnknown;
+  const Eigen::LLT<Eigen::MatrixXd> S(outcome.S);
+  if (!outcome.S.allFinite() || !outcome.innovation.allFinite() || S.info() != Eigen::Success) {
+    return refused(measurement, "what is expected here is not finite");
+  }
+  outcome.normalized_squared = outcome.innovation.dot(S.solve(outcome.innovation));
+  outcome.kind = Outcome::Kind::kUsed;
+  if (measurement.gate && outcome.normalized_squared > *measurement.gate * *measurement.gate) {
+    outcome.kind = Outcome::Kind::kGated;
+    outcome.reason = measurement.source + ": Mahalanobis distance " +
+                     number_text(std::sqrt(outcome.normalized_squared)) + ", the gate is " +
+                     number_text(*measurement.gate);
+  }
+  return outcome;
+}
+
+// P' = (I - K H) P (I - K H)' + K noise K', Joseph's form: a sum of two positive terms, whatever
+// K's rounding. Only the columns of P that H reads are multiplied by it.
+Correction corrected(const Update& update, const Outcome& outcome) {
+  const Eigen::MatrixXd& H = update.expected.H;
+  const Eigen::MatrixXd PHt = update.columns * H.transpose();
+  const Eigen::MatrixXd K = outcome.S.llt().solve(PHt.transpose()).transpose();
+  Correction result{K * outcome.innovation, update.P};
+  result.covariance.noalias() -= K * PHt.transpose();
+  const Eigen::MatrixXd right =
+      columns_of(result.covariance, update.measurement) * H.transpose() - K * update.noise;
+  result.covariance.noalias() -= right * K.transpose();
+  return result;
+}
+
+// By covariance intersection of what the measurement depends on; all else follows as it does
+// whatever corrects these.
+std::optional<Correction> intersected(const Update& update) {
+  const Eigen::MatrixXd P = rows_of(update.columns, update.measurement);
+  const auto part = intersect(P, update.expected.H, update.noise, update.expected.innovation);
+  if (!part) return std::nullopt;
+  const Eigen::MatrixXd gain = P.llt().solve(update.columns.transpose()).transpose();
+  return Correction{gain * part->moved,
+                    update.P + gain * (part->covariance - P) * gain.transpose()};
 }
 
 }  // namespace
@@ -82,41 +154,37 @@ bool Filter::predict_to(SimTime stamp, const Eigen::VectorXd& u) {
   return true;
 }
 
-Outcome Filter::update(const Measurement& measurement) {
-  const std::string problem = problem_of(measurement, stamp_);
-  if (!problem.empty()) return refused(measurement, problem);
-  const Belief before{state_, covariance_};
-  const Expectation expected = kind_ == FilterKind::kEkf
-                                   ? expect_extended(*model_, before, measurement)
-                                   : expect_unscented(*model_, before, sigma_points_, measurement);
-  const Eigen::LLT<Eigen::MatrixXd> S(expected.S);
-  if (!expected.S.allFinite() || !expected.innovation.allFinite() || S.info() != Eigen::Success) {
-    return refused(measurement, "what is expected here is not finite");
-  }
-  Outcome outcome;
-  outcome.innovation = expected.innovation;
-  outcome.S = expected.S;
-  outcome.normalized_squared = expected.innovation.dot(S.solve(expected.innovation));
-  if (measurement.gate && outcome.normalized_squared > *measurement.gate * *measurement.gate) {
-    outcome.kind = Outcome::Kind::kGated;
-    outcome.reason = measurement.source + ": Mahalanobis distance " +
-                     number_text(std::sqrt(outcome.normalized_squared)) + ", the gate is " +
-                     number_text(*measurement.gate);
-    return outcome;
-  }
-  // Joseph's form: a sum of two positive terms, whatever K's rounding.
-  const Eigen::MatrixXd K = S.solve(expected.H * covariance_).transpose();
-  const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(K.rows(), K.rows()) - K * expected.H;
-  const Eigen::MatrixXd covariance =
-      rest * covariance_ * rest.transpose() + K * expected.unexplained * K.transpose();
-  const Eigen::VectorXd state = model_->boxplus(state_, K * expected.innovation);
-  if (!covariance.allFinite() || !state.allFinite()) {
-    return refused(measurement, "it would lead to a state that is not finite");
-  }
-  outcome.kind = Outcome::Kind::kUsed;
+// False, and nothing changes, where that is not finite.
+bool Filter::move(const Eigen::VectorXd& d, const Eigen::MatrixXd& covariance) {
+  if (!covariance.allFinite() || !d.allFinite()) return false;
+  const Eigen::VectorXd state = model_->boxplus(state_, d);
+  if (!state.allFinite()) return false;
   state_ = state;
   covariance_ = positive_definite(covariance);
-  return outcome;
+  return true;
+}
+
+Outcome Filter::update(const Measurement& measurement, double inflation, double widening) {
+  const std::string problem = problem_of(measurement, stamp_);
+  if (!problem.empty()) return refused(measurement, problem);
+  const Belief before{state_, widened(covariance_, measurement, widening)};
+  Update update{measurement, before.covariance, columns_of(before.covariance, measurement), {}, {}};
+  update.expected =
+      kind_ == FilterKind::kEkf
+          ? expect_extended(*model_, before, update.columns, measurement)
+          : expect_unscented(*model_, before, update.columns, sigma_points_, measurement);
+  update.noise = update.expected.unexplained + inflation * measurement.R;
+  Outcome outcome = judged(update);
+  if (outcome.kind != Outcome::Kind::kUsed) return outcome;
+  std::optional<Correction> correction;
+  if (measurement.is_shared) {
+    correction = intersected(update);
+    if (!correction) return outcome;  // it brings nothing that is not in the belief
+  } else {
+    correction = corrected(update, outcome);
+  }
+  if (move(correction->moved, correction->covariance)) return outcome;
+  return refused(measurement, "it would lead to a state that is not finite");
 }
 
 }  // namespace trident::estimation

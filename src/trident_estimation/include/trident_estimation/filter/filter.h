@@ -38,8 +38,9 @@ class Filter {
   /// a stamp before the belief's, and when the model gives what is not finite.
   bool predict_to(SimTime stamp, const Eigen::VectorXd& u = {});
 
-  /// Takes in what was measured at the belief's stamp (another stamp: predict_to() first).
-  Outcome update(const Measurement& measurement);
+  /// Takes in what was measured at the belief's stamp (another stamp: predict_to() first), with
+  /// `inflation` times its covariance, and `widening` times that of what it depends on.
+  Outcome update(const Measurement& measurement, double inflation = 1.0, double widening = 1.0);
 
   SimTime stamp() const { return stamp_; }                           ///< of the belief
   const Eigen::VectorXd& state() const { return state_; }            ///< of the model
@@ -47,6 +48,8 @@ class Filter {
   const Model& model() const { return *model_; }                     ///< that it was made with
 
  private:
+  bool move(const Eigen::VectorXd& d, const Eigen::MatrixXd& covariance);
+
   FilterKind kind_;
   std::shared_ptr<const Model> model_;
   SimTime stamp_;

@@ -3,8 +3,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace trident::estimation {
+
+/// Degrees of freedom that follow one another in a state.
+struct DofRange {
+  Eigen::Index first = 0;  ///< of them
+  Eigen::Index size = 0;   ///< how many
+};
 
 /// How a state changes by itself. The state x may be on a manifold (angles, rotations): then it has
 /// more numbers than degrees of freedom, and only boxplus() and boxminus() know how it wraps
@@ -28,6 +35,10 @@ class Model {
 
   /// dim() x dim(): covariance that `dt` [s] add, positive semidefinite.
   virtual Eigen::MatrixXd noise(const Eigen::VectorXd& x, double dt) const = 0;
+
+  /// Groups that move without regard to one another, and whose noise is independent: together all
+  /// degrees of freedom, in their order. A filter needs the less time the smaller they are.
+  virtual std::vector<DofRange> groups() const { return {{0, dim()}}; }
 
   /// x moved by d, of dim() numbers. The default is for vector spaces.
   virtual Eigen::VectorXd boxplus(const Eigen::VectorXd& x, const Eigen::VectorXd& d) const {
