@@ -6,7 +6,7 @@ Every namespace with `mission/start` ([x, y, z, yaw], where its platform stands 
 rad]) is one. Its map is the world. Its odom is the map, too, where odometry is that of the world;
 of a ground vehicle (`mission/kind` ugv) counts from its start. With `~earth` there is a frame above
 the world, earth-centred (ECEF): `~latitude`, `~longitude` [deg], `~height` [m] are the world's
-origin.
+origin. With `~fused` world -> <ns>/map is left to team_fusion_node.
 """
 
 from __future__ import annotations
@@ -38,14 +38,14 @@ def transform(
     return message
 
 
-def frames_of(name: str, mission: dict[str, Any]) -> list[TransformStamped]:
-    """Of one platform.
+def frames_of(name: str, mission: dict[str, Any], is_fused: bool) -> list[TransformStamped]:
+    """Of one platform; with `is_fused` without that of its map.
 
     Raises:
         NavError: no start.
     """
     x, y, z, yaw = numbers(f"/{name}/mission/start", mission.get("start"), 4)
-    frames = [transform("world", f"{name}/map")]
+    frames = [] if is_fused else [transform("world", f"{name}/map")]
     if mission.get("kind") == "ugv":
         turn = (0.0, 0.0, math.sin(yaw / 2.0), math.cos(yaw / 2.0))
         frames.append(transform(f"{name}/map", f"{name}/odom", (x, y, z), turn))
@@ -73,11 +73,12 @@ _ORIGIN = {"latitude": 63.4389, "longitude": 10.399, "height": 0.0}
 
 def _all_frames() -> list[TransformStamped]:
     """Frames of all missions that have a start, and of the earth if it is wanted."""
-    frames = []
+    frames: list[TransformStamped] = []
+    is_fused = bool(rospy.get_param("~fused", False))
     for name, values in sorted(rospy.get_param("/").items()):
         mission = values.get("mission") if isinstance(values, dict) else None
         if isinstance(mission, dict) and "start" in mission:
-            frames += frames_of(name, mission)
+            frames += frames_of(name, mission, is_fused)
     if rospy.get_param("~earth", False):
         frames.append(earth_frame())
     return frames
@@ -90,7 +91,7 @@ def main() -> int:
         Exit code of the process.
     """
     init_node("platform_frames")
-    warn_of_unknown_parameters((*_ORIGIN, "earth"))
+    warn_of_unknown_parameters((*_ORIGIN, "earth", "fused"))
     try:
         frames = _all_frames()
     except NavError as error:
