@@ -60,6 +60,7 @@ BENCHMARKS = (
     Benchmark("bridges", "bridges.benchmark", "measure bridges between ROS and other protocols"),
     Benchmark("sitl", "sitl.benchmark", "fly with stand-ins for PX4 and ArduPilot in lockstep"),
     Benchmark("trajectories", "trajectories.benchmark", "plan teams in space and time"),
+    Benchmark("fusion", "fusion.benchmark", "measure one belief about where a team is"),
     Benchmark("sweeps", "sweeps.benchmark", "measure what a sweep costs around its runs"),
     Benchmark(
         "tasks", "tasks.benchmark", "compare methods of sharing out tasks, and lose messages"
