@@ -6,6 +6,7 @@
 #include "convert.h"
 #include "session.h"
 #include "trident_base/error.h"
+#include "trident_sim/world/mass_scale.h"
 
 namespace py = pybind11;
 
@@ -85,6 +86,7 @@ class ModelView {
   void set_pose(const py::object& pose) {
     session_->world().set_model_pose(model(), to_pose(pose, "pose of model '" + name_ + "'"));
   }
+  void scale_mass(double factor) { trident::sim::scale_mass(model(), factor); }
   void set_velocity(const py::object& linear, const py::object& angular) {
     session_->world().set_model_twist(model(), to_vector3(linear, "linear"),
                                       to_vector3(angular, "angular"));
@@ -176,6 +178,9 @@ void bind_model(py::module_& module) {
       .def("set_velocity", &ModelView::set_velocity, py::arg("linear"),
            py::arg("angular") = py::make_tuple(0, 0, 0),
            "Of the whole model, in the world frame [m/s], [rad/s], shape (3,).")
+      .def("scale_mass", &ModelView::scale_mass, py::arg("factor"),
+           "Mass and inertia of all its links become factor, 0.01 to 100, times what they were when\n"
+           "it was spawned. Snapshots from before fit.")
       .def_property_readonly("links", &ModelView::links, "Names of its links.")
       .def_property_readonly("joints", &ModelView::joints, "Names of its joints.")
       .def("link", &ModelView::link, py::arg("name"),

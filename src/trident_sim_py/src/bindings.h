@@ -14,6 +14,7 @@ void bind_model(pybind11::module_& module);
 void bind_physics(pybind11::module_& module);
 void bind_radio(pybind11::module_& module);
 void bind_rays(pybind11::module_& module);
+void bind_rollout(pybind11::module_& module);
 void bind_environment(pybind11::module_& module);
 void bind_sea(pybind11::module_& module);
 void bind_session(pybind11::module_& module);

@@ -23,4 +23,5 @@ PYBIND11_MODULE(_core, module) {
   trident::sim::bind_rays(module);
   trident::sim::bind_environment(module);
   trident::sim::bind_sea(module);
+  trident::sim::bind_rollout(module);
 }

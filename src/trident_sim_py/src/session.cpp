@@ -147,6 +147,11 @@ void Session::step(std::uint64_t n) {
   }
 }
 
+void Session::use(const std::function<void(World&)>& work) {
+  const Busy busy(*this);
+  work(*world_);
+}
+
 void Session::reset(bool with_time) {
   if (with_time) {
     world().reset();

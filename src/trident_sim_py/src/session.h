@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -54,6 +55,8 @@ class Session {
   void remove(const std::string& name);
   /// Steps without the interpreter's lock; looks for Ctrl-C now and then.
   void step(std::uint64_t n);
+  /// Calls `work` with the world, marked as in use; the interpreter's lock is not needed.
+  void use(const std::function<void(World&)>& work);
   void reset(bool with_time);
   void restore(const Snapshot& snapshot);
   /// How often time has been turned back; what was read before is news again.

@@ -709,6 +709,9 @@ class Model:
         """
     def set_velocity(self, linear: _Vector, angular: _Vector = (0, 0, 0)) -> None:
         """Of the whole model, in the world frame [m/s], [rad/s], shape (3,)."""
+    def scale_mass(self, factor: float) -> None:
+        """Mass and inertia of all its links become factor, 0.01 to 100, times what they were when
+        it was spawned. Snapshots from before fit."""
     @property
     def links(self) -> list[str]:
         """Names of its links."""
@@ -858,3 +861,58 @@ def radio_links(
 def radio_set_outage(session: Session, name: str, out: bool, other: str) -> None: ...
 def sea_elevation(session: Session, places: _Matrix, times: _Vector) -> _Array: ...
 def find_resource(uri: str, folders: list[str]) -> str: ...
+
+class AgentSpec:
+    """One model of a world that acts and observes."""
+    def __init__(
+        self,
+        model: str,
+        actions: str,
+        ports: Sequence[str],
+        middle: Sequence[float],
+        reach: Sequence[float],
+        blocks: Sequence[str],
+        scan: str = "",
+        beams: int = 0,
+    ) -> None:
+        """model: its name.
+        actions: rotors, rates, velocity, thrusters or twist; commands are
+        middle + reach * action and go to the input ports.
+        blocks: of the observation, in order.
+        scan: output of a planar lidar that is reduced to so many beams."""
+
+class Rollout:
+    """Worlds side by side, in each the same agents."""
+    def __init__(
+        self, sessions: Sequence[Session], agents: Sequence[AgentSpec], steps: int, threads: int
+    ) -> None:
+        """steps: of the world that follow each action.
+        threads: that share the worlds."""
+    @property
+    def sizes(self) -> tuple[int, int, int, int]:
+        """Worlds, agents in each, numbers of an action, of an observation."""
+    def begin(self, world: int, goals: Sequence[_Vector] | _Array) -> None:
+        """An episode begins. goals: x y z yaw in the world [m, rad], shape (agents, 4)."""
+    def set_goals(self, world: int, goals: Sequence[_Vector] | _Array) -> None:
+        """Other goals in the same episode; as begin()."""
+    def observe(self, world: int) -> _Floats:
+        """Observations as the world is, shape (agents, numbers), float32."""
+    def step_one(self, actions: _Floats) -> tuple[_Floats, tuple[float, ...]]:
+        """Of one world with one agent: observation and terms."""
+    def step(
+        self,
+        actions: _Floats,
+        resting: npt.NDArray[np.bool_],
+        observations: _Floats,
+        terms: _Array,
+    ) -> None:
+        """Act and step, without the interpreter's lock; writes into the last two, shapes
+        (worlds, agents, numbers), but for worlds that rest, shape (worlds,)."""
+    def state_hash(self, world: int) -> str:
+        """As World.state_hash()."""
+
+def block_names() -> list[str]:
+    """What observations can be made of."""
+
+def actuator_kinds() -> list[str]:
+    """What actions can drive."""

@@ -151,6 +151,7 @@ void PhysicsEngine::end_step() {
 }
 
 void PhysicsEngine::step(double dt_s) {
+  init_ode();  // of this thread
   load_rotors(dt_s);
   begin_step();
   find_contacts(dt_s);

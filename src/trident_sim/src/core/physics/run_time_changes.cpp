@@ -11,6 +11,7 @@
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
 #include "trident_sim/motion_limits.h"
+#include "trident_sim/world/mass_scale.h"
 
 namespace trident::sim {
 namespace {
@@ -162,6 +163,34 @@ void recompose(Model& model, EngineBody& body) {
       anchor_joint(model, *joint);
     }
   }
+}
+
+namespace {
+
+void scale_mass_of(const Model& model, EngineBody& body, double factor) {
+  const std::vector<std::size_t> links = members(model, body);
+  if (links.empty()) return;  // the shaft of a gearbox
+  CompositeInertia inertia = compose_inertia(parts_of(model, links));
+  inertia.mass_kg *= factor;
+  inertia.inertia *= factor;
+  inertia.weight_kg *= factor;
+  set_inertia(body, inertia, model.spec.links[links.front()].T_model_link.R);
+}
+
+}  // namespace
+
+void scale_mass(Model& model, double factor) {
+  if (!(factor >= 0.01 && factor <= 100.0)) {
+    throw Error("mass of model '" + model.name + "': factor is " + std::to_string(factor) +
+                ", legal: 0.01 to 100");
+  }
+  if (model.is_static) throw Error("model '" + model.name + "' is static: it has no mass to scale");
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const Inertial& made_with = model.spec.links[i].inertial;
+    model.links[i]->inertial.mass_kg = factor * made_with.mass_kg;
+    model.links[i]->inertial.inertia_com = factor * made_with.inertia_com;
+  }
+  for (const auto& body : model.bodies) scale_mass_of(model, engine_body(*body), factor);
 }
 
 namespace {

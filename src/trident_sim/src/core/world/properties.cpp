@@ -170,7 +170,10 @@ void ModelSet::set_link_inertial(Link& link, const Inertial& inertial, bool grav
   const auto at = std::find_if(model.links.begin(), model.links.end(),
                                [&link](const auto& own) { return own.get() == &link; });
   LinkSpec& spec = model.spec.links[static_cast<std::size_t>(at - model.links.begin())];
-  spec.inertial = link.inertial = inertial;
+  spec.inertial = inertial;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    model.links[i]->inertial = model.spec.links[i].inertial;
+  }
   spec.gravity = link.gravity = gravity;
   if (link.body == nullptr) return;
   recompose(model, engine_body(*link.body));
