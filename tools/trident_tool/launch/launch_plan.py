@@ -20,6 +20,8 @@ _SIMULATOR = "gazebo_ros"
 _SIMULATOR_TYPES = frozenset({"gzserver", "gazebo", "debug", "perf"})
 _SPAWNERS = frozenset({"spawn_model", "spawn_model.py"})
 _FLEET_SPAWNER = ("trident_fleet", "spawn_fleet.py")
+# Its command makes the world as roslaunch loads the file: before there is none to be checked.
+_WORLD_MAKER = "/world_maker"
 _MOTOR_TOPIC = "command/motor_speed"
 # A launch file of these alone spawns by its spawners and by nothing else.
 _NO_SPAWNERS = frozenset(
@@ -202,7 +204,7 @@ def check_plan(plan: LaunchPlan, env: Mapping[str, str]) -> None:
     _check_integers(plan)
     _check_counts(plan)
     node = plan.simulator
-    if node is None:
+    if node is None or _WORLD_MAKER in plan.params:
         return
     program = _program(env)
     if program is None:

@@ -8,8 +8,9 @@ import json
 from pathlib import Path
 
 import pytest
-from trident_eval.mission.__main__ import FAILED, PASSED, UNUSABLE, main, missed_goals
-from trident_eval.mission.flight import Record
+from trident_eval.mission.__main__ import FAILED, PASSED, UNUSABLE, main
+from trident_eval.mission.goals import missed_goals
+from trident_fleet.core.missions.record import Record
 from trident_fleet.core.missions.setup import Outcome
 
 TREE = """\

@@ -35,6 +35,14 @@ from trident_eval.core.plc import judge_plc, plc_rows, read_plc
 from trident_eval.core.plc_plots import draw_plc
 from trident_eval.core.provenance import read_object
 from trident_eval.core.radio_verdict import add_links, radio_rows
+from trident_eval.core.rescue import (
+    asked_team,
+    draw_rescue,
+    judge_rescue,
+    read_rescue,
+    rescue_rows,
+    without_end,
+)
 from trident_eval.core.rows import Row
 from trident_eval.core.scene import Scene
 from trident_eval.core.station_plots import draw_stations
@@ -74,7 +82,7 @@ def judge_subject(tracks: Tracks, folder: Path) -> tuple[list[str], Verdict] | N
 
 def has_subject_with_vehicles(folder: Path) -> bool:
     """Whether vehicles were to be in a run, as its files have it, though none was seen."""
-    readers = (read_client_record, read_piloted, read_missions, read_plc)
+    readers = (read_rescue, read_client_record, read_piloted, read_missions, read_plc)
     return any(read(folder) for read in readers)
 
 
@@ -97,6 +105,22 @@ def draw_subjects(source: Path, scene: Scene | None, folder: Path, leads: bool) 
 
 def _run(folder: Path) -> dict[str, Any]:
     return read_object(folder / "run.json")
+
+
+def _judge_rescue(tracks: Tracks, folder: Path) -> tuple[list[str], Verdict] | None:
+    if flown := read_rescue(folder):
+        verdict = judge_rescue(flown, _run(folder))
+        return verdict.numbers["vehicles"], verdict
+    names = asked_team(folder)
+    if names is None:
+        return None
+    there = [name for name in names if name in tracks.names]
+    return there, without_end(there, _run(folder))
+
+
+def _draw_rescue(source: Path, _scene: Scene | None, folder: Path) -> list[Path]:
+    flown = read_rescue(source)
+    return draw_rescue(flown, folder) if flown else []
 
 
 def _judge_clients(tracks: Tracks, folder: Path) -> tuple[list[str], Verdict] | None:
@@ -149,6 +173,7 @@ def _draw_nmea(source: Path, _scene: Scene | None, folder: Path) -> list[Path]:
 
 #: In the order of their rows and pictures; the first that judges a run does.
 SUBJECTS = (
+    Subject(rescue_rows, judge=_judge_rescue, draw=_draw_rescue, leads=True),
     Subject(trial_rows, add=add_trial, draw=_draw_stations, leads=True),
     Subject(client_rows, judge=_judge_clients),
     Subject(mission_rows, judge=_judge_missions, draw=_draw_missions, leads=True),

@@ -7,7 +7,6 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import json
-import math
 import sys
 import tempfile
 from pathlib import Path
@@ -16,7 +15,7 @@ from trident_fleet.core.errors import FormationError
 from trident_fleet.core.missions.kinds import read_mission
 from trident_fleet.core.missions.mission import Mission
 from trident_fleet.core.missions.scene import Scene, read_scene
-from trident_fleet.core.missions.setup import Outcome, Setup
+from trident_fleet.core.missions.setup import Outcome, Setup, death_of
 from trident_fleet.core.missions.tree_file import TreePlan, read_tree
 from trident_worldgen.coast import CoastConfig, coast
 from trident_worldgen.sdf import write_files
@@ -24,7 +23,7 @@ from trident_worldgen.sdf import write_files
 import trident_sim
 from trident_eval.core.errors import EvalError
 from trident_eval.mission.flight import fly
-from trident_eval.mission.goals import GOALS
+from trident_eval.mission.goals import missed_goals
 from trident_eval.mission.pictures import draw_map, draw_times, draw_tree
 from trident_eval.options import add_mission
 from trident_eval.ros_paths import package_folder
@@ -82,7 +81,7 @@ def _fly(options: argparse.Namespace) -> int:
         options.method,
         options.links,
         options.seed,
-        deaths=tuple(map(_death, options.kill)),
+        deaths=tuple(death_of("--kill", text) for text in options.kill),
     )
     tree = read_tree(options.file or _shipped(_TREE))
     numbers = read_mission(options.numbers or _shipped(_NUMBERS))
@@ -101,22 +100,6 @@ def _fly(options: argparse.Namespace) -> int:
     return FAILED if missed else PASSED
 
 
-def _death(text: str) -> tuple[str, float]:
-    """Of NAME@SECONDS.
-
-    Raises:
-        EvalError: it has another form.
-    """
-    name, _, seconds = text.partition("@")
-    try:
-        death_s = float(seconds)
-    except ValueError:
-        death_s = math.nan
-    if not 0.0 <= death_s < math.inf:
-        raise EvalError(f"--kill {text}; legal: ROBOT@SECONDS, finite, from 0")
-    return name, death_s
-
-
 def _scene(options: argparse.Namespace) -> Scene:
     """The record that was named, or that of a coast of this seed."""
     if options.scene:
@@ -125,24 +108,6 @@ def _scene(options: argparse.Namespace) -> Scene:
         config = CoastConfig(seed=options.seed, length=400.0, covers=14, casualties=12)
         write_files(coast(config), Path(folder))
         return read_scene(Path(folder) / "coast.scene.yaml")
-
-
-def missed_goals(outcome: Outcome) -> list[str]:
-    """What a mission has not reached, with the limit."""
-    people = max(outcome.people, 1)
-    shares = {
-        "coverage": outcome.coverage,
-        "found": outcome.found / people,
-        "served": outcome.served / people,
-    }
-    missed = [
-        f"{name} is {100 * shares[name]:.1f} %, the limit {100 * least:g} %"
-        for name, least in GOALS.items()
-        if shares[name] < least
-    ]
-    if outcome.contacts:
-        missed.append(f"{outcome.contacts} contacts, the limit is 0")
-    return missed
 
 
 def _lines_of(setup: Setup, outcome: Outcome, missed: list[str], folder: Path) -> list[str]:

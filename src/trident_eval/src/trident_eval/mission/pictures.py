@@ -4,14 +4,16 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
+from trident_fleet.core.missions.record import Record
+from trident_fleet.core.missions.scene import Scene
 from trident_fleet.core.missions.tree_file import TreePlan
-from trident_fleet.core.missions.truth import PersonState, Truth
-
-from trident_eval.mission.flight import Record
+from trident_fleet.core.missions.truth import PersonState
+from trident_fleet.core.search.area import Array
 
 _COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 _LAND, _WATER, _COVERED = (0.93, 0.91, 0.84), (0.80, 0.89, 0.95), (0.62, 0.72, 0.58)
@@ -26,7 +28,35 @@ def _pyplot() -> Any:
     return pyplot
 
 
-def draw_map(path: Path, record: Record, truth: Truth) -> None:
+class Ending(Protocol):
+    """The end of a mission: its `Truth`, or what a file has of it."""
+
+    @property
+    def scene(self) -> Scene:
+        """What was searched."""
+        ...
+
+    @property
+    def people(self) -> list[PersonState]:
+        """What became of those who were to be found."""
+        ...
+
+    @property
+    def places(self) -> Array:
+        """Where they are, p_common [m], shape (N, 2)."""
+        ...
+
+
+@dataclass(frozen=True)
+class MapEnd:
+    """An `Ending`."""
+
+    scene: Scene
+    people: list[PersonState]
+    places: Array
+
+
+def draw_map(path: Path, record: Record, truth: Ending) -> None:
     """Land and water, darker where nobody looked well enough, tracks, and what became of people.
 
     Args:

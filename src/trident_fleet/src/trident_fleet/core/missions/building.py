@@ -17,7 +17,7 @@ from trident_fleet.core.missions.routes import Routes
 from trident_fleet.core.missions.scene import Scene
 from trident_fleet.core.missions.setup import FIXED, Setup
 from trident_fleet.core.missions.tree_file import Tree, TreePlan
-from trident_fleet.core.missions.vehicle import KinematicVehicle
+from trident_fleet.core.missions.vehicle import SteppedVehicle, VehicleMaker, kinematic
 from trident_fleet.core.network import Channel
 from trident_fleet.core.search.area import SearchError
 from trident_fleet.core.tasks.member import Member
@@ -45,7 +45,7 @@ class Crew:
     """
 
     robot: MissionRobot
-    vehicle: KinematicVehicle
+    vehicle: SteppedVehicle
     tree: Tree
     port: TeamPort
     alive: bool = True
@@ -61,6 +61,7 @@ class Builder:
     tree: TreePlan
     setup: Setup
     kinds: dict[str, Kind]
+    make_vehicle: VehicleMaker = kinematic
     grounds: dict[str, Ground] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -94,7 +95,8 @@ class Builder:
         kind = self.kinds[name]
         x, y = self.scene.bases[kind.domain]
         fellows = [other for other, one in self.kinds.items() if one.domain == kind.domain]
-        vehicle = KinematicVehicle((x + _SPACING_M * fellows.index(name), y), kind.speed_m_s)
+        place = (x + _SPACING_M * fellows.index(name), y)
+        vehicle = self.make_vehicle(name, kind, place)
         port = TeamPort(channel.port(name))
         ground = self.grounds[kind.name]
         plan = Plan(

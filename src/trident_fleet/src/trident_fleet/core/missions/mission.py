@@ -18,8 +18,9 @@ from trident_fleet.core.missions.setup import MODES, Outcome, Setup, names_of
 from trident_fleet.core.missions.tour import shorten
 from trident_fleet.core.missions.tree_file import TreePlan
 from trident_fleet.core.missions.truth import Presence, Truth
+from trident_fleet.core.missions.vehicle import VehicleMaker, kinematic
 from trident_fleet.core.network import Channel, LinkModel
-from trident_fleet.core.search.detection import View
+from trident_fleet.core.search.detection import NOTHING, View
 from trident_fleet.core.search.sightings import Look
 
 __all__ = ["MODES", "Mission", "Outcome", "Setup", "names_of"]
@@ -33,7 +34,14 @@ _RESCUE_M = 50.0  # of detours that are expected for one who is not found yet
 class Mission:
     """Robots on a scene. Its owner steps it, or runs it to the end."""
 
-    def __init__(self, scene: Scene, config: MissionConfig, tree: TreePlan, setup: Setup) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        config: MissionConfig,
+        tree: TreePlan,
+        setup: Setup,
+        make_vehicle: VehicleMaker = kinematic,
+    ) -> None:
         """At time 0.
 
         Args:
@@ -41,6 +49,7 @@ class Mission:
             config: numbers of the mission.
             tree: that each robot has.
             setup: team, method, links, seed and faults.
+            make_vehicle: of each robot; models of vehicles unless somebody has real ones.
 
         Raises:
             FormationError: names field, value and legal range.
@@ -52,7 +61,7 @@ class Mission:
         model = config.links.model if setup.links == "network" else LinkModel(0.0, 0.0, 0.0, 0.0)
         reach = self._linked if setup.links == "network" or setup.silences else None
         self.channel: Channel[TeamMessage] = Channel(names, model, setup.seed, reach)
-        builder = Builder(scene, config, tree, setup, self._kinds)
+        builder = Builder(scene, config, tree, setup, self._kinds, make_vehicle)
         self.crews = {name: builder.crew(name, self.channel) for name in names}
         self.duties = builder.duties()
         self.now_s, self._step = 0.0, 0
@@ -73,7 +82,12 @@ class Mission:
         return self.now_s >= self.config.rules.until_s or self.truth.is_complete()
 
     def step(self) -> None:
-        """Half a second."""
+        """Half a second: all decide, move and look about."""
+        self.decide()
+        self.observe()
+
+    def decide(self) -> None:
+        """A step begins: messages come, robots die, and those alive set out."""
         self._step += 1
         self.now_s = self._step * STEP_S
         self.truth.now_s = self.now_s
@@ -81,9 +95,13 @@ class Mission:
         for name, death_s in self.setup.deaths:
             if death_s <= self.now_s and self.crews[name].alive:
                 self._die(name, f"killed at {death_s:g} s")
+        for crew in self.crews.values():
+            if crew.alive:
+                self._think(crew)
+
+    def observe(self) -> None:
+        """It ends: vehicles have moved, and see what they passed."""
         alive = [crew for crew in self.crews.values() if crew.alive]
-        for crew in alive:
-            self._think(crew)
         views = {crew.robot.name: self._move_and_look(crew) for crew in alive}
         self.truth.drift(STEP_S)
         present = {
@@ -141,6 +159,8 @@ class Mission:
             robot.battery.use(STEP_S)
         if robot.battery.left_s <= 0.0 and robot.in_air:
             self._die(robot.name, f"battery empty at {self.now_s:g} s")
+        if not crew.vehicle.looks:
+            return NOTHING
         middle = tuple((a + b) / 2 for a, b in zip(before, crew.vehicle.place, strict=True))
         look, view = robot.knowledge.look(Look(self.now_s, middle[0], middle[1]))
         eye = robot.knowledge.eyes.eyes[robot.kind.name]

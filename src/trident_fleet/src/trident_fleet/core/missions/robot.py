@@ -15,7 +15,7 @@ from trident_fleet.core.missions.kinds import Kind, Rules
 from trident_fleet.core.missions.knowledge import Knowledge
 from trident_fleet.core.missions.pieces import Lanes, Piece
 from trident_fleet.core.missions.reports import Fix
-from trident_fleet.core.missions.routes import Routes
+from trident_fleet.core.missions.routes import Routes, shortened
 from trident_fleet.core.missions.scene import Place
 from trident_fleet.core.missions.vehicle import Vehicle
 from trident_fleet.core.search.area import Array
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from trident_fleet.core.tasks.robot import Holding
 
 _REPLAN_M = 1.5  # that a goal moves before the path to it is made again
+_STOP_M = 0.5  # that a vehicle may stand farther off than it has to
 _BELIEF_CELLS = 4000.0  # cells that one expected person is worth
 
 
@@ -113,7 +114,13 @@ class MissionRobot:
         return self.member.robot.current(self.now_s) if self.member.robot is not None else None
 
     def go_to(self, place: Place, within_m: float) -> bool:
-        """Be on the path to a place; whether the robot is within a distance of it [m]."""
+        """Be on the path to a place; whether the robot is within a distance of it [m].
+
+        A vehicle that cannot come so near stops before it.
+        """
+        stop_m = self.vehicle.stop_m
+        if stop_m > 0.0:
+            within_m = max(within_m, stop_m + _STOP_M)
         if math.dist(self.vehicle.place, place) <= within_m:
             if self.vehicle.path_left:
                 self.vehicle.halt()
@@ -122,7 +129,8 @@ class MissionRobot:
         moved = self._goal is None or math.dist(self._goal, place) > _REPLAN_M
         if moved or not self.vehicle.path_left:
             self._goal = place
-            self.vehicle.follow(self.ground.routes.path(self.vehicle.place, place))
+            here = self.vehicle.place
+            self.vehicle.follow(shortened(here, self.ground.routes.path(here, place), stop_m))
         return False
 
     def follow(self, path: list[Place]) -> None:

@@ -133,3 +133,18 @@ def _corners(places: list[Place]) -> list[Place]:
 def _is_straight(one: Place, middle: Place, other: Place) -> bool:
     turn = (middle[0] - one[0]) * (other[1] - one[1]) - (middle[1] - one[1]) * (other[0] - one[0])
     return abs(turn) < 1e-9
+
+
+def shortened(start: Place, path: list[Place], by_m: float) -> list[Place]:
+    """A path that ends earlier by a length [m]; empty: there is nothing left of it."""
+    corners, left = [start, *path], by_m
+    while left > 0.0 and len(corners) > 1:
+        before, end = corners[-2:]
+        length = math.dist(before, end)
+        if length > left:
+            share = 1.0 - left / length
+            x, y = (a + share * (b - a) for a, b in zip(before, end, strict=True))
+            return [*corners[1:-1], (x, y)]
+        left -= length
+        corners.pop()
+    return corners[1:]

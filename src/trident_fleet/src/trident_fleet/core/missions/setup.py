@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from trident_fleet.core.search.area import SearchError
@@ -19,8 +20,31 @@ MODES: dict[str, tuple[str, ...]] = {
 }
 """Kinds of the robots by mode."""
 
+RECORD = "search_and_rescue.json"
+"""Name of a mission's record in the folder of a run."""
+
 FIXED = "fixed"
 """Instead of a method: pieces are shared out before the mission, by time."""
+
+def death_of(name: str, text: str) -> tuple[str, float]:
+    """Which robot dies when [s], of ROBOT@SECONDS.
+
+    Args:
+        name: of the option that has it.
+        text: its value.
+
+    Raises:
+        SearchError: it has another form.
+    """
+    robot, _, seconds = text.partition("@")
+    try:
+        death_s = float(seconds)
+    except ValueError:
+        death_s = math.nan
+    if not robot or not 0.0 <= death_s < math.inf:
+        raise SearchError(f"{name} {text}; legal: ROBOT@SECONDS, finite, from 0")
+    return robot, death_s
+
 
 LINKS = ("network", "perfect")
 

@@ -6,9 +6,10 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
+from trident_fleet.core.missions.kinds import Kind
 from trident_fleet.core.missions.scene import Place
 
 
@@ -41,6 +42,29 @@ class Vehicle(Protocol):
         """Stand where it is."""
         ...
 
+    @property
+    def stop_m(self) -> float:
+        """It cannot stand nearer than this to what it goes to [m]."""
+        ...
+
+
+class SteppedVehicle(Vehicle, Protocol):
+    """A vehicle as the owner of a mission has it."""
+
+    @property
+    def path_m(self) -> float:
+        """How far it has come [m]."""
+        ...
+
+    @property
+    def looks(self) -> bool:
+        """Whether it is where it sees from; a multirotor on the ground is not."""
+        ...
+
+    def step(self, seconds: float) -> None:
+        """Let time pass."""
+        ...
+
 
 class KinematicVehicle:
     """A point that moves along its path at its speed, and turns and stops at once."""
@@ -50,7 +74,7 @@ class KinematicVehicle:
         self._place, self._top_m_s = place, speed_m_s
         self._path: deque[Place] = deque()
         self._speed_m_s = 0.0
-        self.path_m = 0.0
+        self._path_m = 0.0
 
     @property
     def place(self) -> Place:
@@ -66,6 +90,21 @@ class KinematicVehicle:
     def path_left(self) -> Sequence[Place]:
         """Corners of its path that are ahead of it; empty: it stands."""
         return self._path
+
+    @property
+    def path_m(self) -> float:
+        """How far it has come [m]."""
+        return self._path_m
+
+    @property
+    def looks(self) -> bool:
+        """It is everywhere where it sees from."""
+        return True
+
+    @property
+    def stop_m(self) -> float:
+        """It stands wherever it wants to."""
+        return 0.0
 
     def follow(self, path: Sequence[Place]) -> None:
         """Leave the path before, and follow this one from where it is."""
@@ -90,5 +129,14 @@ class KinematicVehicle:
                 x, y = (a + share * (b - a) for a, b in zip(self._place, goal, strict=True))
                 self._place, left_m = (x, y), 0.0
         moved_m = self._top_m_s * seconds - left_m
-        self.path_m += moved_m
+        self._path_m += moved_m
         self._speed_m_s = moved_m / seconds if seconds > 0.0 else 0.0
+
+
+VehicleMaker = Callable[[str, Kind, Place], SteppedVehicle]
+"""Makes the vehicle of a robot by name, of a kind, that starts at a place [m]."""
+
+
+def kinematic(_name: str, kind: Kind, place: Place) -> SteppedVehicle:
+    """A model of a vehicle, for benches and tests."""
+    return KinematicVehicle(place, kind.speed_m_s)

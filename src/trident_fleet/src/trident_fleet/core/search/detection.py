@@ -78,6 +78,10 @@ class View:
         return seen
 
 
+NOTHING = View(np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.int64))
+"""What is in view of a robot that does not look."""
+
+
 class Eye:
     """A sensor in an area: which cells it sees from where, and how well."""
 

@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: 2026 The Trident authors
+# SPDX-License-Identifier: Apache-2.0
+"""A vehicle that has mass: it is where it is measured to be, and guided along its path."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from trident_fleet.core.missions.scene import Place
+
+
+@dataclass(frozen=True)
+class Reach:
+    """How near a kind of vehicle comes to where it is to be.
+
+    Attributes:
+        corner_m: a corner of a path counts as passed within this [m].
+        end_m: the end of a path counts as reached within this [m]; it is approached further.
+        stop_m: it cannot stand nearer than this to what it goes to [m].
+    """
+
+    corner_m: float
+    end_m: float
+    stop_m: float
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A vehicle as it was measured.
+
+    Attributes:
+        place: p_common [m].
+        height_m: above the still water [m].
+        yaw_rad: from x towards y.
+        speed_m_s: over ground, horizontal [m/s].
+    """
+
+    place: Place
+    height_m: float
+    yaw_rad: float
+    speed_m_s: float
+
+
+class GuidedVehicle:
+    """What a mission sees of a vehicle that a controller moves: a `SteppedVehicle`.
+
+    A path is left behind corner by corner as the vehicle passes them; where it ends, or where the
+    vehicle was to halt, is the place that it keeps to.
+    """
+
+    def __init__(self, place: Place, reach: Reach, looks_from_m: float = -math.inf) -> None:
+        """At a place, standing.
+
+        Args:
+            place: p_common [m].
+            reach: of its kind.
+            looks_from_m: it sees nothing that counts from below this height [m].
+        """
+        self._reach, self._looks_from_m = reach, looks_from_m
+        self.motion = Motion(place, 0.0, 0.0, 0.0)
+        self.keeps: Place = place
+        self.path_m = 0.0
+        self.version = 0
+        self._path: deque[Place] = deque()
+        self._begin = place
+
+    @property
+    def place(self) -> Place:
+        """Where it is, p_common [m]."""
+        return self.motion.place
+
+    @property
+    def speed_m_s(self) -> float:
+        """How fast it was when it was measured last [m/s]."""
+        return self.motion.speed_m_s
+
+    @property
+    def stop_m(self) -> float:
+        """It cannot stand nearer than this to what it goes to [m]."""
+        return self._reach.stop_m
+
+    @property
+    def looks(self) -> bool:
+        """Whether it is where it sees from."""
+        return self.motion.height_m >= self._looks_from_m
+
+    @property
+    def path_left(self) -> Sequence[Place]:
+        """Corners of its path that are ahead of it; empty: it stands, or comes to stand."""
+        return self._path
+
+    @property
+    def line(self) -> list[Place]:
+        """Where its leg begins and the corners ahead; without a path the place that it keeps to."""
+        return [self._begin, *self._path] if self._path else [self.keeps]
+
+    def follow(self, path: Sequence[Place]) -> None:
+        """Leave the path before, and follow this one from where it is."""
+        self._path, self._begin = deque(path), self.place
+        self.keeps = path[-1] if path else self.place
+        self.version += 1
+
+    def halt(self) -> None:
+        """Stand where it is."""
+        if self._path and not self._is_at_end() or self.version == 0:
+            self.keeps = self.place
+            self.version += 1
+        self._path.clear()
+
+    def _is_at_end(self) -> bool:
+        """It comes to stand there, sooner than anywhere else."""
+        return len(self._path) == 1 and math.dist(self.place, self.keeps) <= 2.0 * self._reach.end_m
+
+    def step(self, seconds: float) -> None:
+        """Let time pass: the world does that."""
+
+    def measured(self, motion: Motion) -> None:
+        """It is there now."""
+        self.path_m += math.dist(self.place, motion.place)
+        self.motion = motion
+        while self._path and self._is_passed(self._path[0], len(self._path) == 1):
+            self._begin = self._path.popleft()
+
+    def _is_passed(self, corner: Place, is_end: bool) -> bool:
+        away = math.dist(self.place, corner)
+        if is_end:
+            return away <= self._reach.end_m
+        along = (corner[0] - self._begin[0], corner[1] - self._begin[1])
+        beyond = (self.place[0] - corner[0]) * along[0] + (self.place[1] - corner[1]) * along[1]
+        return away <= self._reach.corner_m or (beyond > 0.0 and along != (0.0, 0.0))
