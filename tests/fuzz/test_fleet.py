@@ -84,6 +84,17 @@ def test_a_follower(ros: Ros) -> None:
         has_stood_it(run)
 
 
+@pytest.mark.fuzzes("trident_fleet/search_and_rescue.py")
+def test_a_team_that_searches(ros: Ros) -> None:
+    coast = {"length": 300.0, "covers": 1, "casualties": 1}
+    file = "search_and_rescue.launch"
+    with Launch(ros, "trident_bringup", file, paused=True, **coast) as run:
+        run.ready()
+        run.step_to(1.0)
+        withstands("/search_and_rescue", words=("uav1", "ugv1", "usv1"))
+        has_stood_it(run)
+
+
 @pytest.mark.fuzzes("trident_fleet/base_station.py")
 def test_a_base_station(ros: Ros, tmp_path: Path) -> None:
     """It decides at each status of its links, and takes none of a stranger."""

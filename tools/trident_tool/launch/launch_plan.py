@@ -20,7 +20,7 @@ _SIMULATOR = "gazebo_ros"
 _SIMULATOR_TYPES = frozenset({"gzserver", "gazebo", "debug", "perf"})
 _SPAWNERS = frozenset({"spawn_model", "spawn_model.py"})
 _FLEET_SPAWNER = ("trident_fleet", "spawn_fleet.py")
-# Its command makes the world as roslaunch loads the file: before there is none to be checked.
+# Its command makes the world as roslaunch loads the file: it cannot be checked before.
 _WORLD_MAKER = "/world_maker"
 _MOTOR_TOPIC = "command/motor_speed"
 # A launch file of these alone spawns by its spawners and by nothing else.

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -24,9 +25,7 @@ from trident_fleet.core.missions.scene import Place
 
 LIMITS = AirLimits()
 REACH = Reach(corner_m=2.0, end_m=1.0, stop_m=0.0)
-PLACES = st.lists(
-    st.tuples(st.floats(-80.0, 80.0), st.floats(-80.0, 80.0)), min_size=1, max_size=4
-)
+PLACES = st.lists(st.tuples(st.floats(-80.0, 80.0), st.floats(-80.0, 80.0)), min_size=1, max_size=4)
 
 
 def at(x: float, y: float, speed_m_s: float = 0.0, height_m: float = 0.0) -> Motion:
@@ -37,7 +36,7 @@ def test_corners_are_left_behind_when_they_are_passed_near_or_abreast() -> None:
     vehicle = GuidedVehicle((0.0, 0.0), REACH)
     vehicle.follow([(10.0, 0.0), (10.0, 10.0), (0.0, 10.0)])
     vehicle.measured(at(7.0, 0.0))
-    assert list(vehicle.path_left)[0] == (10.0, 0.0)
+    assert next(iter(vehicle.path_left)) == (10.0, 0.0)
     vehicle.measured(at(8.5, 0.0))
     assert vehicle.line == [(10.0, 0.0), (10.0, 10.0), (0.0, 10.0)], "1.5 m are near"
     vehicle.measured(at(15.0, 10.5))
@@ -139,7 +138,8 @@ def driven(path: list[Place], yaw_rad: float, limits: GroundLimits) -> tuple[Gui
         yaw += 0.1 * turn
         there = (here[0] + 0.1 * speed * math.cos(yaw), here[1] + 0.1 * speed * math.sin(yaw))
         vehicle.measured(Motion(there, 0.0, yaw, speed))
-        far = max(far, min(_off(there, a, b) for a, b in zip([(0.0, 0.0), *path], path)))
+        legs = itertools.pairwise([(0.0, 0.0), *path])
+        far = max(far, min(_off(there, begin, end) for begin, end in legs))
     return vehicle, far
 
 

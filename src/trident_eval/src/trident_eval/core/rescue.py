@@ -24,7 +24,7 @@ MAP, TIMES = "search_map.png", "search_times.png"
 
 
 def read_rescue(folder: Path) -> Flown | None:
-    """The record of a run; None: there is none.
+    """The record of a run; None: it has left no record.
 
     Raises:
         EvalError: it is not what the node writes.

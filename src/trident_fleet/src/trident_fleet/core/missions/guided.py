@@ -105,7 +105,7 @@ class GuidedVehicle:
 
     def halt(self) -> None:
         """Stand where it is."""
-        if self._path and not self._is_at_end() or self.version == 0:
+        if (self._path and not self._is_at_end()) or self.version == 0:
             self.keeps = self.place
             self.version += 1
         self._path.clear()

@@ -26,6 +26,7 @@ RECORD = "search_and_rescue.json"
 FIXED = "fixed"
 """Instead of a method: pieces are shared out before the mission, by time."""
 
+
 def death_of(name: str, text: str) -> tuple[str, float]:
     """Which robot dies when [s], of ROBOT@SECONDS.
 

@@ -32,6 +32,8 @@ from trident_fleet.core.missions.guided import GuidedVehicle, Reach
 from trident_fleet.core.missions.kinds import Kind
 from trident_fleet.core.missions.scene import Place
 from trident_fleet.core.quintic import Array, Motion
+from trident_fleet.nodes.world_link import foreign_problem
+from trident_ros import Refusals
 
 _STATION_M = 12.0  # from here on a vessel goes to a place as to a station
 _REACHES = {
@@ -110,7 +112,12 @@ class AirRobot:
     """A multirotor below a Lee controller; one that died falls."""
 
     def __init__(
-        self, name: str, vehicle: GuidedVehicle, kind: Kind, start: Array, yaw_rad: float,
+        self,
+        name: str,
+        vehicle: GuidedVehicle,
+        kind: Kind,
+        start: Array,
+        yaw_rad: float,
         period_ns: int,
     ) -> None:
         """Advertise.
@@ -145,9 +152,7 @@ class AirRobot:
         points = self._reference.advance(line, self._height_m, not in_air, count)
         motion = Motion(*(values[:, None] for values in points))
         raw = rospy.AnyMsg()
-        raw._buff = encode_message(
-            stamp_ns, encode_points(motion, 0, self._yaw_rad, self._offsets)
-        )
+        raw._buff = encode_message(stamp_ns, encode_points(motion, 0, self._yaw_rad, self._offsets))
         self._topics.send("command/trajectory", raw)
 
     def repeat(self) -> None:
@@ -196,9 +201,7 @@ class SeaRobot:
             return
         self._said = said
         if is_near:
-            self._topics.send(
-                "command/pose", _pose(header, self.vehicle.keeps, motion.yaw_rad)
-            )
+            self._topics.send("command/pose", _pose(header, self.vehicle.keeps, motion.yaw_rad))
             return
         message = Path(header=header)
         message.poses = [_pose(header, place, 0.0) for place in path]
@@ -234,6 +237,7 @@ class GroundRobot:
         self._twists: list[tuple[int, Twist]] = [(-1, Twist())]
         self._until_ns, self._is_closed = -1, False
         self.waits_for_ns = -1
+        self._refusals: Refusals | None = None  # made when there is one
         self._topics = _Topics(name, {"cmd_vel": Twist})
         self._odometry = rospy.Subscriber(
             f"/{name}/odom", rospy.AnyMsg, self._answer, tcp_nodelay=True
@@ -272,6 +276,12 @@ class GroundRobot:
         """An answer is one message: nothing to repeat."""
 
     def _answer(self, odometry: rospy.AnyMsg) -> None:
+        problem = foreign_problem(odometry)
+        if problem:
+            if self._refusals is None:
+                self._refusals = Refusals()
+            self._refusals.note("odom refused", f"odom of {self.name} refused: {problem}")
+            return
         _, seconds, nanoseconds = struct.unpack_from("<III", odometry._buff)
         stamp_ns = seconds * NS_PER_S + nanoseconds
         with self._changed:

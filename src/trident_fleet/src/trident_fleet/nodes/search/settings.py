@@ -56,7 +56,9 @@ def read_team(get: Getter) -> TeamSettings:
     config = read_mission(Path(files["numbers"]))
     until_s = params.number("duration", 0.0)
     if not 0.0 <= until_s <= _LONGEST_S:
-        raise SearchError(f"duration: {until_s:g}; legal: 0 to {_LONGEST_S:g} s, 0: as the file has")
+        raise SearchError(
+            f"duration: {until_s:g}; legal: 0 to {_LONGEST_S:g} s, 0: as the file has"
+        )
     whole = until_s == 0.0 or until_s >= config.rules.until_s
     if until_s > 0.0:
         config = replace(config, rules=replace(config.rules, until_s=until_s))
