@@ -13,6 +13,7 @@ from trident_fleet.core.missions.kinds import MissionConfig, read_mission
 from trident_fleet.core.missions.mission import Mission, Setup
 from trident_fleet.core.missions.scene import Person, Scene
 from trident_fleet.core.missions.tree_file import read_tree
+from trident_fleet.core.missions.vehicle import VehicleMaker, kinematic
 from trident_fleet.core.search.area import Lattice, SearchArea
 
 MISSIONS = Path(__file__).resolve().parents[4] / "config" / "missions"
@@ -44,7 +45,7 @@ def config() -> MissionConfig:
     return replace(shipped, rules=replace(shipped.rules, until_s=240.0))
 
 
-def mission(setup: Setup) -> Mission:
+def mission(setup: Setup, make_vehicle: VehicleMaker = kinematic) -> Mission:
     """A mission on the small coast."""
     tree = read_tree(MISSIONS / "search_and_rescue_tree.yaml")
-    return Mission(scene(), config(), tree, setup)
+    return Mission(scene(), config(), tree, setup, make_vehicle)

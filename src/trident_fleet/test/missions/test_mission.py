@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from massive import massive
 from small import config, mission, scene
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.missions.knowledge import SharedEyes
@@ -23,6 +24,14 @@ def test_a_joint_team_finds_and_serves_everybody() -> None:
     assert outcome.lost == ()
     assert outcome.contacts == 0
     assert outcome.value == outcome.sectors + 4 * 2 + 4 * 4
+
+
+def test_robots_that_have_mass_find_and_serve_everybody_too() -> None:
+    outcome = mission(Setup(), massive).run()
+    assert outcome.served == outcome.people == 4
+    assert outcome.coverage >= 0.97
+    assert outcome.end_s < 240.0
+    assert outcome.lost == ()
 
 
 def test_the_same_seed_is_the_same_mission_and_another_one_is_not() -> None:

@@ -9,6 +9,7 @@ from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from trident_fleet.core.missions.kinds import Kind
 from trident_fleet.core.missions.scene import Place
 
 
@@ -25,6 +26,15 @@ class Reach:
     corner_m: float
     end_m: float
     stop_m: float
+
+
+REACHES = {
+    "air": Reach(corner_m=7.0, end_m=3.0, stop_m=0.0),
+    "ground": Reach(corner_m=0.8, end_m=1.0, stop_m=1.6),
+    "water": Reach(corner_m=5.0, end_m=5.0, stop_m=1.2),
+}
+"""By the medium that a vehicle moves in."""
+_SEES_FROM = 0.8  # of the height that a robot in the air searches at
 
 
 @dataclass(frozen=True)
@@ -131,3 +141,9 @@ class GuidedVehicle:
         along = (corner[0] - self._begin[0], corner[1] - self._begin[1])
         beyond = (self.place[0] - corner[0]) * along[0] + (self.place[1] - corner[1]) * along[1]
         return away <= self._reach.corner_m or (beyond > 0.0 and along != (0.0, 0.0))
+
+
+def guided(kind: Kind, place: Place) -> GuidedVehicle:
+    """The vehicle of a kind of robot, at a place [m]."""
+    looks_from_m = _SEES_FROM * kind.sensor.height_m if kind.domain == "air" else -math.inf
+    return GuidedVehicle(place, REACHES[kind.domain], looks_from_m)

@@ -28,20 +28,14 @@ from trident_fleet.core.missions.guidance import (
     GroundLimits,
     wheels_velocity,
 )
-from trident_fleet.core.missions.guided import GuidedVehicle, Reach
+from trident_fleet.core.missions.guided import GuidedVehicle
 from trident_fleet.core.missions.kinds import Kind
-from trident_fleet.core.missions.scene import Place
 from trident_fleet.core.quintic import Array, Motion
 from trident_fleet.nodes.world_link import foreign_problem
 from trident_ros import Refusals
 
 _STATION_M = 12.0  # from here on a vessel goes to a place as to a station
-_REACHES = {
-    "air": Reach(corner_m=7.0, end_m=3.0, stop_m=0.0),
-    "ground": Reach(corner_m=0.8, end_m=1.0, stop_m=1.6),
-    "water": Reach(corner_m=5.0, end_m=5.0, stop_m=1.2),
-}
-_SEES_FROM = 0.8  # of the height that a robot in the air searches at
+
 
 
 class TeamRobot(Protocol):
@@ -62,12 +56,6 @@ class TeamRobot(Protocol):
     def repeat(self) -> None:
         """Say the newest again: what got lost while all connected."""
         ...
-
-
-def guided(kind: Kind, place: Place) -> GuidedVehicle:
-    """The vehicle of a kind of robot, at a place [m]."""
-    is_up = _SEES_FROM * kind.sensor.height_m if kind.domain == "air" else -math.inf
-    return GuidedVehicle(place, _REACHES[kind.domain], is_up)
 
 
 class _Topics:

@@ -21,7 +21,7 @@ from trident_fleet.core.encoding import NS_PER_S
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.files.formation_file import FormationSource
 from trident_fleet.core.missions.building import Crew
-from trident_fleet.core.missions.guided import GuidedVehicle
+from trident_fleet.core.missions.guided import GuidedVehicle, guided
 from trident_fleet.core.missions.kinds import Kind
 from trident_fleet.core.missions.mission import Mission
 from trident_fleet.core.missions.nodes.base import STEP_S
@@ -31,13 +31,7 @@ from trident_fleet.core.missions.setup import RECORD, names_of
 from trident_fleet.core.missions.vehicle import SteppedVehicle
 from trident_fleet.core.schedule import FeedConfig
 from trident_fleet.core.settings import FleetSettings, Vehicle
-from trident_fleet.nodes.search.robots import (
-    AirRobot,
-    GroundRobot,
-    SeaRobot,
-    TeamRobot,
-    guided,
-)
+from trident_fleet.nodes.search.robots import AirRobot, GroundRobot, SeaRobot, TeamRobot
 from trident_fleet.nodes.search.settings import TeamSettings
 from trident_fleet.nodes.search.states import TeamState, TeamStates
 from trident_fleet.nodes.world_link import SimulatorClient
