@@ -13,7 +13,7 @@ from trident_fleet.core.missions.guidance import (
     GroundLimits,
     wheels_velocity,
 )
-from trident_fleet.core.missions.guided import GuidedVehicle, Motion, guided
+from trident_fleet.core.missions.guided import REACHES, GuidedVehicle, Motion
 from trident_fleet.core.missions.kinds import Kind
 from trident_fleet.core.missions.scene import Place
 from trident_fleet.core.missions.vehicle import SteppedVehicle
@@ -25,11 +25,12 @@ class _Moved(GuidedVehicle):
     """A guided vehicle that a model moves, a period at a time."""
 
     def __init__(self, kind: Kind, place: Place) -> None:
-        made = guided(kind, place)
-        super().__init__(place, made._reach, made._looks_from_m)
+        looks_from_m = 20.0 if kind.domain == "air" else -math.inf
+        super().__init__(place, REACHES[kind.domain], looks_from_m)
         self._reference = AirReference(
             np.array([*place, 0.0]), AirLimits(speed_m_s=kind.speed_m_s)
         )
+        self._wheels = Wheels()
         self._kind, self._limits = kind, GroundLimits(speed_m_s=kind.speed_m_s)
 
     def step(self, seconds: float) -> None:
@@ -43,13 +44,35 @@ class _Moved(GuidedVehicle):
 
     def _driven(self) -> Motion:
         """On wheels; a vessel that turns as they do, but slowly."""
-        speed, turn = wheels_velocity(self.motion, self.line, self._limits)
+        wanted = wheels_velocity(self.motion, self.line, self._limits)
         if self._kind.domain == "water":
-            speed, turn = 0.9 * speed, min(max(turn, -0.3), 0.3)
-        yaw = self.motion.yaw_rad + _PERIOD_S * turn
-        x, y = self.place
-        there = x + _PERIOD_S * speed * math.cos(yaw), y + _PERIOD_S * speed * math.sin(yaw)
-        return Motion(there, 0.0, yaw, speed)
+            wanted = 0.9 * wanted[0], min(max(wanted[1], -0.3), 0.3)
+        return self._wheels.driven(self.motion, wanted)
+
+
+class Wheels:
+    """Two driven wheels, 0.6 m apart: what is asked for acts a period later, and builds up."""
+
+    def __init__(self) -> None:
+        """At rest."""
+        self._asked = (0.0, 0.0)
+        self._speed = self._turn = 0.0
+
+    def driven(self, motion: Motion, wanted: tuple[float, float]) -> Motion:
+        """Where a robot is a period later."""
+        asked, self._asked = self._asked, wanted
+        rim_m_s2 = 1.0
+        self._speed += _PERIOD_S * _bounded((asked[0] - self._speed) / _PERIOD_S, rim_m_s2)
+        turn_rad_s2 = 2.0 * rim_m_s2 / 0.6
+        self._turn += _PERIOD_S * _bounded((asked[1] - self._turn) / _PERIOD_S, turn_rad_s2)
+        yaw, (x, y) = motion.yaw_rad + _PERIOD_S * self._turn, motion.place
+        there_x = x + _PERIOD_S * self._speed * math.cos(yaw)
+        there_y = y + _PERIOD_S * self._speed * math.sin(yaw)
+        return Motion((there_x, there_y), 0.0, yaw, abs(self._speed))
+
+
+def _bounded(value: float, most: float) -> float:
+    return min(max(value, -most), most)
 
 
 def massive(_name: str, kind: Kind, place: Place) -> SteppedVehicle:

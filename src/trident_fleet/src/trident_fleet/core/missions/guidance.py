@@ -196,20 +196,23 @@ class GroundLimits:
         speed_m_s: ahead [m/s].
         acceleration_m_s2: of braking [m/s^2].
         turn_rad_s: rate of turn [rad/s].
-        look_m: ahead along its path [m].
+        look_m: ahead along its path at least [m], and...
+        look_s: ... by so much time, at its speed: its rate of turn follows slowly [s].
         on_spot_rad: what is farther off its nose than this it turns to before it drives.
         stand_m: it stands within this of where it is to be [m].
     """
 
     speed_m_s: float = 2.0
     acceleration_m_s2: float = 0.8
-    turn_rad_s: float = 1.5
-    look_m: float = 1.2
+    turn_rad_s: float = 1.0
+    look_m: float = 1.0
+    look_s: float = 1.4
     on_spot_rad: float = 0.9
     stand_m: float = 0.3
 
 
-_TURN_GAIN = 2.0  # [1/s]
+_CUT_M = 0.6  # before a corner the turn begins
+_TURN_GAIN = 1.2  # [1/s]
 
 
 def wheels_velocity(
@@ -225,16 +228,17 @@ def wheels_velocity(
     corners = line[1:] or line
     if len(corners) == 1 and math.dist(motion.place, corners[0]) <= limits.stand_m:
         return 0.0, 0.0
-    goal = point_ahead(line, motion.place, limits.look_m)
+    look_m = max(limits.look_m, limits.look_s * motion.speed_m_s)
+    goal = point_ahead(line, motion.place, look_m)
     right, ahead = goal[0] - motion.place[0], goal[1] - motion.place[1]
     bearing = math.remainder(math.atan2(ahead, right) - motion.yaw_rad, math.tau)
     if abs(bearing) > limits.on_spot_rad:
         return 0.0, _bounded(_TURN_GAIN * bearing, limits.turn_rad_s)
     speed = allowed_speed(
-        motion.place, corners, limits.speed_m_s, limits.acceleration_m_s2, 0.5 * limits.look_m
+        motion.place, corners, limits.speed_m_s, limits.acceleration_m_s2, _CUT_M
     )
     speed = max(speed * math.cos(bearing), 0.1)
-    away = max(math.hypot(right, ahead), 0.2)
+    away = max(math.hypot(right, ahead), limits.look_m, limits.look_s * speed)
     return speed, _bounded(2.0 * speed * math.sin(bearing) / away, limits.turn_rad_s)
 
 

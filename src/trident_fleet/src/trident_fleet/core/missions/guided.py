@@ -10,7 +10,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from trident_fleet.core.missions.kinds import Kind
+from trident_fleet.core.missions.room import Room
 from trident_fleet.core.missions.scene import Place
+from trident_fleet.core.search.area import SearchArea
 
 
 @dataclass(frozen=True)
@@ -21,17 +23,19 @@ class Reach:
         corner_m: a corner of a path counts as passed within this [m].
         end_m: the end of a path counts as reached within this [m]; it is approached further.
         stop_m: it cannot stand nearer than this to what it goes to [m].
+        clearance_m: that its middle keeps from what stands there, where there is room [m].
     """
 
     corner_m: float
     end_m: float
     stop_m: float
+    clearance_m: float = 0.0
 
 
 REACHES = {
     "air": Reach(corner_m=7.0, end_m=3.0, stop_m=0.0),
-    "ground": Reach(corner_m=0.8, end_m=1.0, stop_m=1.6),
-    "water": Reach(corner_m=5.0, end_m=5.0, stop_m=1.2),
+    "ground": Reach(corner_m=0.8, end_m=1.0, stop_m=1.6, clearance_m=0.9),
+    "water": Reach(corner_m=2.0, end_m=5.0, stop_m=1.2, clearance_m=3.5),
 }
 """By the medium that a vehicle moves in."""
 _SEES_FROM = 0.8  # of the height that a robot in the air searches at
@@ -61,15 +65,22 @@ class GuidedVehicle:
     vehicle was to halt, is the place that it keeps to.
     """
 
-    def __init__(self, place: Place, reach: Reach, looks_from_m: float = -math.inf) -> None:
+    def __init__(
+        self,
+        place: Place,
+        reach: Reach,
+        looks_from_m: float = -math.inf,
+        room: Room | None = None,
+    ) -> None:
         """At a place, standing.
 
         Args:
             place: p_common [m].
             reach: of its kind.
             looks_from_m: it sees nothing that counts from below this height [m].
+            room: that its paths keep from what stands there; None: nothing does.
         """
-        self._reach, self._looks_from_m = reach, looks_from_m
+        self._reach, self._looks_from_m, self._room = reach, looks_from_m, room
         self.motion = Motion(place, 0.0, 0.0, 0.0)
         self.keeps: Place = place
         self.path_m = 0.0
@@ -109,6 +120,8 @@ class GuidedVehicle:
 
     def follow(self, path: Sequence[Place]) -> None:
         """Leave the path before, and follow this one from where it is."""
+        if self._room is not None:
+            path = self._room.widened(self.place, path)
         self._path, self._begin = deque(path), self.place
         self.keeps = path[-1] if path else self.place
         self.version += 1
@@ -143,7 +156,18 @@ class GuidedVehicle:
         return away <= self._reach.corner_m or (beyond > 0.0 and along != (0.0, 0.0))
 
 
-def guided(kind: Kind, place: Place) -> GuidedVehicle:
-    """The vehicle of a kind of robot, at a place [m]."""
-    looks_from_m = _SEES_FROM * kind.sensor.height_m if kind.domain == "air" else -math.inf
-    return GuidedVehicle(place, REACHES[kind.domain], looks_from_m)
+class Garage:
+    """Makes guided vehicles for robots that search an area."""
+
+    def __init__(self, area: SearchArea) -> None:
+        """For an area."""
+        self._area, self._rooms = area, dict[str, Room]()
+
+    def guided(self, kind: Kind, place: Place) -> GuidedVehicle:
+        """The vehicle of a kind of robot, at a place [m]."""
+        reach = REACHES[kind.domain]
+        if kind.domain == "air":
+            return GuidedVehicle(place, reach, _SEES_FROM * kind.sensor.height_m)
+        if kind.domain not in self._rooms:
+            self._rooms[kind.domain] = Room(self._area, kind.domain, reach.clearance_m)
+        return GuidedVehicle(place, reach, room=self._rooms[kind.domain])

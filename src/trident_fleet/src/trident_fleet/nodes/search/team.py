@@ -21,7 +21,7 @@ from trident_fleet.core.encoding import NS_PER_S
 from trident_fleet.core.errors import FormationError
 from trident_fleet.core.files.formation_file import FormationSource
 from trident_fleet.core.missions.building import Crew
-from trident_fleet.core.missions.guided import GuidedVehicle, guided
+from trident_fleet.core.missions.guided import Garage, GuidedVehicle
 from trident_fleet.core.missions.kinds import Kind
 from trident_fleet.core.missions.mission import Mission
 from trident_fleet.core.missions.nodes.base import STEP_S
@@ -128,9 +128,10 @@ class TeamNode:
 
     def _mission(self, first: TeamState) -> Mission:
         settings = self._settings
+        garage = Garage(settings.scene.area)
 
         def make(name: str, kind: Kind, _base: Place) -> SteppedVehicle:
-            vehicle = guided(kind, first.motion[name].place)
+            vehicle = garage.guided(kind, first.motion[name].place)
             vehicle.measured(first.motion[name])
             self._robots[name] = _robot(name, kind, vehicle, first)
             return vehicle
