@@ -10,6 +10,7 @@ from geometry_msgs.msg import PoseWithCovarianceStamped
 from hostile import Asked, answers_on, odometry, started
 from sensor_msgs.msg import FluidPressure, Imu, NavSatFix, Range
 from trident.testing import Ros, program
+
 from trident_msgs.msg import Detection, TeamState
 
 _PARAMETERS = {

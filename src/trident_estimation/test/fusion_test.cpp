@@ -12,6 +12,7 @@
 #include "team_run.h"
 #include "trident_base/error.h"
 #include "trident_base/random_stream.h"
+#include "trident_estimation/fusion/team_fusion.h"
 
 namespace trident::estimation {
 namespace {
@@ -288,6 +289,57 @@ TEST(TeamFilter, AUavThatSeesAUgvKeepsItInPlace) {
   const TeamRun unseen = run(scene, {FilterKind::kEkf, 10.0, true, blind});
   EXPECT_LT(std::sqrt(seen.square_error[kUgv]), 0.5);
   EXPECT_GT(unseen.square_error[kUgv], 2.0 * seen.square_error[kUgv]);
+}
+
+/// Two robots whose maps lie 10 m apart.
+TeamFusion team_of_two() {
+  RobotStart first, second;
+  second.p_world_map = {10.0, 0.0, 0.0};
+  return TeamFusion({first, second}, {});
+}
+
+void hear(TeamFusion& team, std::size_t robot, double seconds, const SE3& T_map_base) {
+  const SimTime stamp = SimTime::from_seconds(seconds);
+  team.note_pose(robot, stamp, T_map_base);
+  team.add(map_pose({stamp, robot == 0 ? "first" : "second"}, robot, T_map_base,
+                    1e-4 * MatrixXd::Identity(6, 6)));
+}
+
+TEST(TeamFusion, BeginsWhereAllRobotsAreInTheirMaps) {
+  TeamFusion team = team_of_two();
+  hear(team, 0, 1.0, SE3::from_xyz_rpy({200.0, 0.0, 0.0}, 0.0, 0.0, 3.0));
+  EXPECT_FALSE(team.has_started());
+  hear(team, 1, 1.1, SE3::from_xyz_rpy({0.0, 50.0, 0.0}, 0.0, 0.0, 0.0));
+  ASSERT_TRUE(team.has_started());
+  ASSERT_EQ(team.update().size(), 1U);
+  const auto belief = team.at(SimTime::from_seconds(1.2));
+  ASSERT_TRUE(belief.has_value());
+  const RobotState first = TeamModel::robot(belief->state(), 0);
+  EXPECT_NEAR(first.T_world_base.p.x(), 200.0, 0.1);
+  EXPECT_NEAR(first.T_world_base.rpy().z(), 3.0, 0.01);
+  EXPECT_NEAR(TeamModel::robot(belief->state(), 1).T_world_base.p.x(), 10.0, 0.1);
+  EXPECT_FALSE(team.at(SimTime::from_seconds(1.0)).has_value());
+}
+
+TEST(TeamFusion, DoesNotWaitForeverForARobotThatIsSilent) {
+  TeamFusion team = team_of_two();
+  hear(team, 0, 1.0, SE3{});
+  hear(team, 0, 2.9, SE3{});
+  EXPECT_FALSE(team.has_started());
+  hear(team, 0, 3.0, SE3{});
+  EXPECT_TRUE(team.has_started());
+  team.restart();
+  EXPECT_FALSE(team.has_started());
+  EXPECT_TRUE(team.update().empty());
+}
+
+TEST(TeamFusion, OptionsOutOfRangeAreNamed) {
+  TeamFusionOptions options;
+  options.gate = 1.0;
+  EXPECT_THROW(TeamFusion({RobotStart{}}, options), Error);
+  options = {};
+  options.keep = SimTime{-1};
+  EXPECT_THROW(TeamFusion({RobotStart{}}, options), Error);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ TEST(Intersection, DoesNothingWithWhatIsNotBetterThanTheBelief) {
   EXPECT_FALSE(intersect(P, P, P, Vector2d(1.0, 1.0)).has_value());
 }
 
-// The belief itself, told to it again and again.
+// The belief itself, returned to it again and again.
 TEST(Intersection, KnowsNothingMoreFromAnEcho) {
   Filter shared = wandering(), naive = wandering();
   for (int i = 0; i < 10; ++i) {

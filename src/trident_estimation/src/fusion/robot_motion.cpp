@@ -14,7 +14,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kMaxStep_s = 0.05;
-constexpr int kMaxSteps = 1000;  // what is not heard for longer moves in longer steps
+constexpr int kMaxSteps = 100;  // what is not heard for longer moves in longer steps
 
 enum Block : int { kP = 0, kR = 3, kV = 6, kW = 9 };
 

@@ -133,7 +133,7 @@ def delays_row(runs: Sequence[Run]) -> Row:
 
 
 def sharing_row(runs: Sequence[Run]) -> Row:
-    """NEES where two stations tell each other what each has made of the same measurements."""
+    """NEES where two stations send each other what each has made of the same measurements."""
     own, naive = (_chosen(runs, what=what) for what in ("intersection", "naive"))
     band = _band(DOFS, len(own))
     nees = sum(run["nees_end"] for run in own) / len(own)

@@ -61,7 +61,7 @@ struct GnssFix {
   Eigen::Vector3d p_world_antenna;  ///< [m]
   Eigen::Matrix3d covariance;       ///< [m^2]
 };
-/// Throws Error for no fix, a place off the earth, or a covariance that is none.
+/// Throws Error for no fix, a place off the earth, or a covariance that is not one.
 GnssFix gnss_fix(const sensor_msgs::NavSatFix& fix, const GeodeticPlace& origin, double sigma);
 
 /// Height by pressure [m]; throws Error for one that is not in [1e4, 2e5] Pa.
@@ -69,7 +69,7 @@ double pressure_height(const sensor_msgs::FluidPressure& message, double referen
 
 /// Bearing and range with variances from the covariance of the position, or `angle_sigma` [rad] and
 /// a tenth of the range where that is zero; robots are left to the caller. Throws Error for what
-/// is not finite, nearer than 1 cm, or a covariance that is none.
+/// is not finite, nearer than 1 cm, or a covariance that is not one.
 Sighting sighting_of(const trident_msgs::Detection& detection, double angle_sigma);
 
 }  // namespace trident::estimation
