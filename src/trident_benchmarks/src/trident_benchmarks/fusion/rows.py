@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 DOFS = 48  # of three robots
@@ -179,7 +179,7 @@ def _meters(values: Sequence[float]) -> str:
     return ", ".join(f"{value:.3f}" for value in values)
 
 
-_LINES = {
+_LINES: dict[str, Callable[[Row], str]] = {
     "consistency": lambda row: (
         f"{row['kind']}, {row['seeds']} seeds: NEES {row['nees']:.2f} (band"
         f" {row['nees_band'][0]:.2f} - {row['nees_band'][1]:.2f}), NIS {row['nis']:.4f} (band"
