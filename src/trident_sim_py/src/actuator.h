@@ -15,9 +15,9 @@ namespace trident::sim {
 
 /// What an action drives. A command is middle + reach * action, action within [-1, 1].
 struct ActuatorSpec {
-  std::string kind;                    ///< see actuator_kinds()
-  std::vector<std::string> ports;      ///< inputs that take the commands
-  std::vector<double> middle, reach;   ///< as many as an action has numbers
+  std::string kind;                   ///< see actuator_kinds()
+  std::vector<std::string> ports;     ///< inputs that take the commands
+  std::vector<double> middle, reach;  ///< as many as an action has numbers
 };
 
 /// Writes commands to the inputs of one model.

@@ -27,6 +27,13 @@ struct Blocks {
     return std::transform(values.data(), values.data() + values.size(), out,
                           [](double value) { return static_cast<float>(value); });
   }
+  /// Of what rounding may carry beyond 1.
+  template <class Values>
+  static float* put_unit(const Values& values, float* out) {
+    return std::transform(
+        values.data(), values.data() + values.size(), out,
+        [](double value) { return static_cast<float>(std::clamp(value, -1.0, 1.0)); });
+  }
   template <std::size_t kSize>
   static std::size_t fixed(const Agent& /*agent*/, std::size_t /*agents*/) {
     return kSize;
@@ -41,15 +48,18 @@ struct Blocks {
   }
   static float* goal_heading(const Agent& a, Team /*team*/, float* out) {
     const double angle = a.goal_.yaw_rad - a.yaw();
-    return put(std::array{std::cos(angle), std::sin(angle)}, out);
+    return put_unit(std::array{std::cos(angle), std::sin(angle)}, out);
   }
   static float* rotation(const Agent& a, Team /*team*/, float* out) {
     const Eigen::Matrix3d by_rows = a.now_.R_world_model.transpose();  // stored column by column
-    return put(by_rows, out);
+    return put_unit(by_rows, out);
+  }
+  static float* up(const Agent& a, Team /*team*/, float* out) {
+    return put_unit(Eigen::Vector3d(a.now_.R_world_model.row(2)), out);
   }
   static float* quaternion(const Agent& a, Team /*team*/, float* out) {
     const Eigen::Vector4d q = a.now_.T_world_model.R.coeffs();
-    return put(Eigen::Vector4d(q.w() < 0.0 ? -q : q), out);
+    return put_unit(Eigen::Vector4d(q.w() < 0.0 ? -q : q), out);
   }
   static float* velocity(const Agent& a, Team /*team*/, float* out) {
     return put(a.now_.v_world, out);
@@ -75,7 +85,7 @@ struct Blocks {
     return 3 * (agents - 1);
   }
 
-  static constexpr std::size_t kCount = 11;
+  static constexpr std::size_t kCount = 12;
   static const Block kTable[kCount];
 };
 
@@ -85,6 +95,7 @@ const Blocks::Block Blocks::kTable[Blocks::kCount] = {
     {"goal_heading", fixed<2>, goal_heading},
     {"rotation", fixed<9>, rotation},
     {"quaternion", fixed<4>, quaternion},
+    {"up", fixed<3>, up},
     {"velocity", fixed<3>, velocity},
     {"velocity_body", fixed<3>, velocity_body},
     {"rates", fixed<3>, rates},

@@ -18,11 +18,11 @@ namespace trident::sim {
 
 /// What a learner acts and sees through: one model of a world.
 struct AgentSpec {
-  std::string model;               ///< name of it
-  ActuatorSpec actuator;           ///< what its actions drive
-  std::vector<std::string> blocks; ///< of its observation, in their order; see block_names()
-  std::string scan;                ///< output port of a planar lidar; "": none
-  std::size_t beams = 0;           ///< that a scan is reduced to
+  std::string model;                ///< name of it
+  ActuatorSpec actuator;            ///< what its actions drive
+  std::vector<std::string> blocks;  ///< of its observation, in their order; see block_names()
+  std::string scan;                 ///< output port of a planar lidar; "": none
+  std::size_t beams = 0;            ///< that a scan is reduced to
 };
 
 /// Where an agent should be.

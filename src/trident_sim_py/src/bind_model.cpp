@@ -179,7 +179,8 @@ void bind_model(py::module_& module) {
            py::arg("angular") = py::make_tuple(0, 0, 0),
            "Of the whole model, in the world frame [m/s], [rad/s], shape (3,).")
       .def("scale_mass", &ModelView::scale_mass, py::arg("factor"),
-           "Mass and inertia of all its links become factor, 0.01 to 100, times what they were when\n"
+           "Mass and inertia of all its links become factor, 0.01 to 100, times what they were "
+           "when\n"
            "it was spawned. Snapshots from before fit.")
       .def_property_readonly("links", &ModelView::links, "Names of its links.")
       .def_property_readonly("joints", &ModelView::joints, "Names of its joints.")

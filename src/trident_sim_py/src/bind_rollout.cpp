@@ -41,8 +41,8 @@ std::vector<Goal> to_goals(const py::object& values, std::size_t count) {
 const float* checked(const Actions& actions, const RolloutSizes& sizes) {
   const std::size_t wanted = sizes.worlds * sizes.agents * sizes.action;
   if (static_cast<std::size_t>(actions.size()) != wanted) {
-    throw Error("actions has " + std::to_string(actions.size()) + " numbers, legal: " +
-                std::to_string(wanted));
+    throw Error("actions has " + std::to_string(actions.size()) +
+                " numbers, legal: " + std::to_string(wanted));
   }
   return actions.data();
 }

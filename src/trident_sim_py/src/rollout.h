@@ -15,7 +15,7 @@ namespace trident::sim {
 
 /// How many there are of what a rollout reads and writes.
 struct RolloutSizes {
-  std::size_t worlds = 0, agents = 0;  ///< agents in each world
+  std::size_t worlds = 0, agents = 0;       ///< agents in each world
   std::size_t action = 0, observation = 0;  ///< numbers of each agent
 };
 

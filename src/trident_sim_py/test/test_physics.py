@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from conftest import BALL, GRAVITY
 
 import trident_sim
 
@@ -108,3 +109,30 @@ def test_a_snapshot_fits_its_own_models_only(wheel: trident_sim.World) -> None:
         trident_sim.World("<sdf version='1.6'><world name='other'/></sdf>").restore_snapshot(
             snapshot
         )
+
+
+def test_a_scaled_mass_is_pushed_less_and_falls_as_fast(world: trident_sim.World) -> None:
+    world.spawn("ball", sdf=BALL, pose=(0.0, 0.0, 100.0))
+    ball, snapshot = world.model("ball"), world.save_snapshot()
+    ends = []
+    for factor in (1.0, 2.0, 0.5, 1.0):
+        world.restore_snapshot(snapshot)  # fits whatever the mass is
+        ball.scale_mass(factor)
+        assert ball.mass == pytest.approx(2.0 * factor)
+        ball.link("body").apply_wrench((4.0, 0.0, 0.0), (0.0, 0.0, 0.3), duration=1.0)
+        world.step(100)
+        assert ball.linear_velocity[0] == pytest.approx(2.0 / factor)
+        assert ball.linear_velocity[2] == pytest.approx(-GRAVITY)
+        assert ball.angular_velocity[2] == pytest.approx(10.0 / factor, rel=1e-6)
+        ends.append(world.state_hash())
+    assert ends[0] == ends[3]  # factors do not pile up
+
+
+@pytest.mark.parametrize("factor", [0.0, -1.0, 101.0, math.nan])
+def test_a_mass_is_not_scaled_by_what_is_no_factor(
+    world: trident_sim.World, factor: float
+) -> None:
+    world.spawn("ball", sdf=BALL)
+    with pytest.raises(trident_sim.Error, match="factor is .*, legal: 0.01 to 100"):
+        world.model("ball").scale_mass(factor)
+    assert world.model("ball").mass == 2.0

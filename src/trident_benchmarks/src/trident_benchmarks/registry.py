@@ -67,5 +67,6 @@ BENCHMARKS = (
     ),
     Benchmark("search", "search.benchmark", "measure coverage planners, shares, drift, detection"),
     Benchmark("mission", "mission.benchmark", "measure what cooperation is worth in a search"),
+    Benchmark("envs", "envs.benchmark", "measure environments of learners, and learn to hover"),
     Benchmark("table", "sim.saved_table", "the Markdown table of a saved benchmark"),
 )

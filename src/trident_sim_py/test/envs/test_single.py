@@ -175,7 +175,7 @@ def test_terms_and_observations_agree() -> None:
     env = make(
         "Hover",
         rewards=lambda terms: seen.append(terms) or 0.0,
-        observations=["goal_offset", "velocity", "rates", "rotation", "quaternion", "action"],
+        observations=["goal_offset", "velocity", "rates", "rotation", "quaternion", "up", "action"],
     )
     env.reset(seed=6)
     observation, *_ = env.step(np.full(6, 2.0, np.float32))  # cut to 1
@@ -190,10 +190,11 @@ def test_terms_and_observations_agree() -> None:
     assert rotation[0] == pytest.approx(
         [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)], abs=1e-5
     )
-    assert observation[22:].tolist() == [1.0] * 6
+    assert observation[22:25] == pytest.approx(rotation[2])
+    assert observation[25:].tolist() == [1.0] * 6
 
 
-def test_a_waypoint_that_is_reached_gives_way_to_the_next() -> None:
+def test_a_waypoint_that_is_reached_is_followed_by_the_next() -> None:
     env = make("Waypoints", actions="velocity", observations=["goal_offset"])
     observation, _ = env.reset(seed=3)
     rewards: list[float] = []

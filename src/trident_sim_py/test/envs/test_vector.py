@@ -66,7 +66,7 @@ def test_a_vector_is_its_single_environments(threads: int) -> None:
             assert b == pytest.approx(y, rel=1e-12)
 
 
-def test_goals_that_are_reached_give_way_to_the_next() -> None:
+def test_goals_that_are_reached_are_followed_by_the_next() -> None:
     env = WaypointsVectorEnv(2, threads=2, actions="velocity", observations=["goal_offset"])
     observations, _ = env.reset(seed=3)
     reached, ended = np.zeros(2), np.zeros(2, bool)

@@ -24,7 +24,11 @@ _BOAT = "package://trident_description/urdf/heron.urdf.xacro"
 _START_M, _SPREAD = (-9.0, 0.0), (3.0, 4.0, 0.8)  # x, y [m], yaw [rad]
 _WITHIN_M, _SLOW_M_S, _ALIGNED_RAD, _FAR_M = 0.4, 0.3, 0.25, 30.0
 _SETTLE_STEPS = 500
-_PARTS = {"left": (0.0, 1.15, 3.4, 0.3), "right": (0.0, -1.15, 3.4, 0.3), "end": (1.6, 0.0, 0.3, 2.6)}
+_PARTS = {
+    "left": (0.0, 1.15, 3.4, 0.3),
+    "right": (0.0, -1.15, 3.4, 0.3),
+    "end": (1.6, 0.0, 0.3, 2.6),
+}
 """Of the berth: middle x and y, size along x and y [m]."""
 
 

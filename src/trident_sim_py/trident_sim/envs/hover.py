@@ -41,7 +41,7 @@ class Hover(Task):
         alive=1.0, distance=-0.5, speed=-0.05, turn_rate=-0.02, change=-0.02, failure=-50.0
     )
     default_actions, legal_actions = "rotors", ACTIONS
-    default_observations = ("goal_offset", "rotation", "velocity", "rates")
+    default_observations = ("goal_offset_body", "velocity_body", "up", "rates")
 
     def __init__(self, *, vehicle: str = "firefly", **options: Any) -> None:
         """Choose a vehicle of RotorS, and what `Task` has."""

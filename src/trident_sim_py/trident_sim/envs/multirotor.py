@@ -100,9 +100,7 @@ def multirotor_agent(
     return AgentSpec(name, actions, [f"{name}/{port}"], middle, reach, [*blocks])
 
 
-def randomize(
-    world: World, name: str, choice: Randomization, random: np.random.Generator
-) -> None:
+def randomize(world: World, name: str, choice: Randomization, random: np.random.Generator) -> None:
     """Draw mass and wind of an episode."""
     if choice.mass != (1.0, 1.0):
         world.model(name).scale_mass(random.uniform(*choice.mass))

@@ -25,6 +25,7 @@ _BOUNDS: dict[str, tuple[float, float]] = {
     "goal_heading": (-1.0, 1.0),
     "rotation": (-1.0, 1.0),
     "quaternion": (-1.0, 1.0),
+    "up": (-1.0, 1.0),
     "velocity": (-_FAST, _FAST),
     "velocity_body": (-_FAST, _FAST),
     "rates": (-_FAST, _FAST),

@@ -81,8 +81,10 @@ class SearchEnv(TeamEnv):
         self._scenes = [coast_scene(seed) for seed in coasts]
         self._kinds: list[Kind] = [self._config.kinds[kind] for kind in kinds]
         self._eyes = [
-            {kind.name: Eye(scene.area, kind.sensor, self._config.wave_height_m)
-             for kind in self._kinds}
+            {
+                kind.name: Eye(scene.area, kind.sensor, self._config.wave_height_m)
+                for kind in self._kinds
+            }
             for scene in self._scenes
         ]
         self.metadata = {
@@ -176,7 +178,11 @@ class SearchEnv(TeamEnv):
         return np.array(rows, dtype=np.float32).clip(-1.0, 1.0)
 
     def _one(
-        self, index: int, place: npt.NDArray[np.float64], scaled: npt.NDArray[np.float64], left: float
+        self,
+        index: int,
+        place: npt.NDArray[np.float64],
+        scaled: npt.NDArray[np.float64],
+        left: float,
     ) -> npt.NDArray[np.float64]:
         kind = self._kinds[index]
         others = np.delete(scaled, index, axis=0) - scaled[index]
