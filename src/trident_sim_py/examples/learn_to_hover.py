@@ -12,8 +12,7 @@ import time
 import gymnasium
 import numpy as np
 import numpy.typing as npt
-
-import trident_sim.envs  # registers the environments
+import trident_sim.envs  # noqa: F401 (registers the environments)
 
 COUNT, ELITE, STEPS = 64, 8, 300
 Array = npt.NDArray[np.float64]

@@ -129,10 +129,8 @@ def test_a_scaled_mass_is_pushed_less_and_falls_as_fast(world: trident_sim.World
 
 
 @pytest.mark.parametrize("factor", [0.0, -1.0, 101.0, math.nan])
-def test_a_mass_is_not_scaled_by_what_is_no_factor(
-    world: trident_sim.World, factor: float
-) -> None:
+def test_a_mass_is_not_scaled_by_what_is_no_factor(world: trident_sim.World, factor: float) -> None:
     world.spawn("ball", sdf=BALL)
-    with pytest.raises(trident_sim.Error, match="factor is .*, legal: 0.01 to 100"):
+    with pytest.raises(trident_sim.Error, match=r"factor is .*, legal: 0.01 to 100"):
         world.model("ball").scale_mass(factor)
     assert world.model("ball").mass == 2.0

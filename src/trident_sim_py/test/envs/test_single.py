@@ -15,9 +15,9 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from trident_sim.envs import Randomization, Rewards, Terms
 
 import trident_sim
-from trident_sim.envs import Randomization, Rewards, Terms
 
 NAMES = ("Hover", "Waypoints", "DockBoat", "DriveRoom")
 ROLL = """

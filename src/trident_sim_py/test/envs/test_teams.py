@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 import pytest
 from pettingzoo.test import api_test, parallel_api_test, parallel_seed_test, seed_test
+from trident_sim.envs import trident_formation_v0, trident_search_v0
 
 import trident_sim
-from trident_sim.envs import trident_formation_v0, trident_search_v0
 
 MODULES = [trident_formation_v0, trident_search_v0]
 
@@ -160,5 +160,5 @@ def test_an_action_that_cannot_be_is_refused() -> None:
     actions = {name: np.zeros(2, np.float32) for name in env.agents}
     with pytest.raises(trident_sim.Error, match=r"no action of \['usv_0'\]"):
         env.step({name: actions[name] for name in ("uav_0", "ugv_0")})
-    with pytest.raises(trident_sim.Error, match="legal: .*finite"):
+    with pytest.raises(trident_sim.Error, match=r"legal: .*finite"):
         env.step(actions | {"uav_0": np.array([np.nan, 0.0], np.float32)})

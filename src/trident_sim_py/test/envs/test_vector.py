@@ -9,9 +9,9 @@ from typing import Any
 import gymnasium
 import numpy as np
 import pytest
+from trident_sim.envs.vector import HoverVectorEnv, WaypointsVectorEnv
 
 import trident_sim
-from trident_sim.envs.vector import HoverVectorEnv, WaypointsVectorEnv
 
 Results = list[tuple[list[float], float, bool, bool, str]]
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Environments for learners, of Gymnasium and PettingZoo, on worlds of this simulator.
 
-Importing this module registers `trident/Hover-v0`, `trident/Waypoints-v0`, `trident/DockBoat-v0` and
-`trident/DriveRoom-v0`; `gymnasium.make("trident_sim.envs:trident/Hover-v0")` imports it. The modules
-`trident_formation_v0` and `trident_search_v0` in it are environments of PettingZoo.
+Importing this module registers `trident/Hover-v0`, `trident/Waypoints-v0`, `trident/DockBoat-v0`
+and `trident/DriveRoom-v0`; `gymnasium.make("trident_sim.envs:trident/Hover-v0")` imports it. The
+modules `trident_formation_v0` and `trident_search_v0` in it are environments of PettingZoo.
 
 Example:
     import gymnasium

@@ -36,7 +36,7 @@ class View:
     height: int = 240
 
     def pose(self) -> tuple[float, ...]:
-        """x y z roll pitch yaw of the camera [m, rad]."""
+        """Of the camera: x y z roll pitch yaw [m, rad]."""
         x, y, z = (b - a for a, b in zip(self.eye, self.target, strict=True))
         return (*self.eye, 0.0, -math.atan2(z, math.hypot(x, y)), math.atan2(y, x))
 

@@ -83,7 +83,8 @@ class FormationEnv(TeamEnv):
             raise Error(f"share is {share}, legal: 0 to 1")
         names = [f"uav_{index}" for index in range(vehicles)]
         self._task, self._share = _Flight(**options), share
-        self._places = places(pattern or Pattern("wedge"), vehicles) + (0.0, 0.0, _HEIGHT_M)
+        self._places = places(pattern or Pattern("wedge"), vehicles)
+        self._places[:, 2] += _HEIGHT_M
         self.world = self._make_world(names)
         self._snapshot = self.world.save_snapshot()
         flight = self._task

@@ -9,6 +9,7 @@ is learned here.
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import math
 from collections.abc import Sequence
@@ -18,11 +19,11 @@ import numpy as np
 import numpy.typing as npt
 from gymnasium.spaces import Box
 from pettingzoo import AECEnv
-from trident_fleet.core.missions.kinds import Kind
+from trident_fleet.core.missions.kinds import Kind, MissionConfig
 from trident_fleet.core.missions.setup import MODES
 from trident_fleet.core.missions.truth import PersonState, Presence, Truth
 from trident_fleet.core.missions.vehicle import KinematicVehicle
-from trident_fleet.core.search.area import Mask
+from trident_fleet.core.search.area import Mask, SearchArea
 from trident_fleet.core.search.detection import Eye, View
 
 from trident_sim._core import Error
@@ -33,17 +34,42 @@ from trident_sim.envs.team import Floats, TeamEnv, as_aec
 STEP_S = 0.5
 _SECTORS = (5, 8)  # along y and x, of which coverage is observed
 _PATCH, _PATCH_CELLS = 4, 3  # samples to each side of a robot, and cells between them
+_BORDER = _PATCH * _PATCH_CELLS
 _NEAR_M = 100.0  # to which the place of a person is observed
+_VIEWS = 4096  # of each kind that are kept: up to 45 MB of a boat's
 _DOMAINS = ("air", "ground", "water")
 _COVERAGE, _FOUND, _CONFIRMED, _SERVED = 100.0, 1.0, 2.0, 4.0  # worth, as in missions
+
+
+class Sight:
+    """What a kind of robot sees of a coast, from the middle of the cell that it is in.
+
+    Attributes:
+        eye: of the kind.
+    """
+
+    def __init__(self, area: SearchArea, kind: Kind, config: MissionConfig) -> None:
+        """Of an area that does not change; the views of the last cells are kept."""
+        self.eye, self._lattice = Eye(area, kind.sensor, config.wave_height_m), area.lattice
+        self._view = functools.lru_cache(maxsize=_VIEWS)(self._look)
+
+    def view(self, place: tuple[float, float]) -> View:
+        """From a place of the area, p_common [m]."""
+        lattice = self._lattice
+        row = int((place[1] - lattice.origin[1]) / lattice.cell_m)
+        return self._view(row, int((place[0] - lattice.origin[0]) / lattice.cell_m))
+
+    def _look(self, row: int, column: int) -> View:
+        x, y = self._lattice.middle(row, column)
+        return self.eye.view(float(x), float(y))
 
 
 class SearchEnv(TeamEnv):
     """Each robot chooses its velocity, as parts of its top speed along x and y.
 
-    It does not leave what it gets to. The team is rewarded: 100 for all of the area that is
-    covered, 1, 2 and 4 for each person who is found, confirmed and served. Each gets the team's
-    reward. An episode ends when all is done.
+    It does not leave what it gets to, and sees from the middle of its cell. The team is rewarded:
+    100 for all of the area that is covered, 1, 2 and 4 for each person who is found, confirmed and
+    served. Each gets the team's reward. An episode ends when all is done.
 
     An observation: the place; which medium; the time that is left; where the others are; where the
     nearest person is who was found, and has not been served (there is one: 1); shares of the
@@ -80,11 +106,8 @@ class SearchEnv(TeamEnv):
         self._config, self._people = mission_config(), people
         self._scenes = [coast_scene(seed) for seed in coasts]
         self._kinds: list[Kind] = [self._config.kinds[kind] for kind in kinds]
-        self._eyes = [
-            {
-                kind.name: Eye(scene.area, kind.sensor, self._config.wave_height_m)
-                for kind in self._kinds
-            }
+        self._sights = [
+            {kind.name: Sight(scene.area, kind, self._config) for kind in self._kinds}
             for scene in self._scenes
         ]
         self.metadata = {
@@ -100,16 +123,28 @@ class SearchEnv(TeamEnv):
             Box(-1.0, 1.0, (2,), np.float32),
             limit,
         )
-        offsets = _PATCH_CELLS * np.arange(-_PATCH, _PATCH + 1)
-        self._patch = offsets[:, None], offsets[None, :]
+        self._rows = np.zeros((len(names), size), np.float32)
+        for row, kind in zip(self._rows, self._kinds, strict=True):
+            row[2:5] = [kind.domain == domain for domain in _DOMAINS]
+        count = len(names)
+        self._others = np.array([[j for j in range(count) if j != i] for i in range(count)], int)
         self._hash = b""
 
     def _begin(self, random: np.random.Generator) -> Floats:
         chosen = int(random.integers(len(self._scenes)))
         scene = with_people(self._scenes[chosen], self._people, random)
         self.truth = Truth(scene, self._config, int(random.integers(2**31)))
-        self._sight = self._eyes[chosen]
+        self._sight = self._sights[chosen]
         self._reach: list[Mask] = [scene.area.reach(kind.domain) for kind in self._kinds]
+        down, along = (
+            np.repeat(np.eye(parts, dtype=np.float32), -(-side // parts), axis=1)[:, :side]
+            for side, parts in zip(scene.area.lattice.shape, _SECTORS, strict=True)
+        )
+        self._bands = down, along.T.copy()
+        self._cells_each = np.outer(down.sum(axis=1), along.sum(axis=1))
+        self._size = scene.area.lattice.size, scene.area.lattice.origin
+        self._reachable = [np.pad(reach, _BORDER) for reach in self._reach]
+        self._uncovered = np.zeros_like(self._reachable[0])
         bases = [scene.bases[kind.domain] for kind in self._kinds]
         self._vehicles = [
             KinematicVehicle(base, kind.speed_m_s)
@@ -125,9 +160,9 @@ class SearchEnv(TeamEnv):
         views: dict[str, View] = {}
         for index, name in enumerate(self.agents):
             self._move(index, actions[index])
-            eye, (x, y) = self._sight[self._kinds[index].name], self._vehicles[index].place
-            views[name] = eye.view(x, y)
-            truth.look(name, eye, views[name], truth.now_s, STEP_S)
+            sight = self._sight[self._kinds[index].name]
+            views[name] = sight.view(self._vehicles[index].place)
+            truth.look(name, sight.eye, views[name], truth.now_s, STEP_S)
         truth.drift(STEP_S)
         robots = {
             name: Presence(kind, vehicle.place, vehicle.speed_m_s)
@@ -148,8 +183,9 @@ class SearchEnv(TeamEnv):
         along, across = (float(value) for value in action)
         scale = kind.speed_m_s * STEP_S / max(1.0, math.hypot(along, across))
         x, y = vehicle.place[0] + scale * along, vehicle.place[1] + scale * across
-        lattice = self.truth.scene.area.lattice
-        if lattice.has(x, y) and self._reach[index][lattice.cell(x, y)]:
+        (width, height), (left, low) = self._size
+        inside = 0.0 <= x - left < width and 0.0 <= y - low < height
+        if inside and self._reach[index][self._cell((x, y))]:
             vehicle.follow([(x, y)])
         else:
             vehicle.halt()
@@ -158,61 +194,52 @@ class SearchEnv(TeamEnv):
     def _value(self) -> float:
         """What has been achieved; `_covered`, `_sectors` and `_share` are as of now then."""
         self._covered = self.truth.coverage.covered()
-        rows, columns = (
-            np.linspace(0, side, parts, endpoint=False).astype(np.intp)
-            for side, parts in zip(self._covered.shape, _SECTORS, strict=True)
-        )
-        sums = np.add.reduceat(self._covered, columns, axis=1, dtype=np.float32)
-        sums = np.add.reduceat(sums, rows, axis=0)
+        sums = self._bands[0] @ self._covered.astype(np.float32) @ self._bands[1]
         self._share = float(sums.sum()) / self._covered.size
-        self._sectors = sums.ravel() * (sums.size / self._covered.size)
+        self._sectors = (sums / self._cells_each).ravel()
+        np.logical_not(self._covered, out=self._uncovered[_BORDER:-_BORDER, _BORDER:-_BORDER])
         return _COVERAGE * self._share + sum(map(_worth, self.truth.people))
 
     def _observe(self) -> Floats:
         lattice = self.truth.scene.area.lattice
-        corner, size = np.array(lattice.origin), np.array(lattice.size)
         places = np.array([vehicle.place for vehicle in self._vehicles])
-        scaled = 2.0 * (places - corner) / size - 1.0
+        scaled = 2.0 * (places - lattice.origin) / lattice.size - 1.0
         left = 1.0 - self._count / self.limit
-        rows = [self._one(index, places[index], scaled, left) for index in range(len(places))]
-        return np.array(rows, dtype=np.float32).clip(-1.0, 1.0)
+        rows, count = self._rows, len(places)
+        rows[:, :2], rows[:, 5] = scaled, left
+        end = 9 + 2 * (count - 1)
+        offsets = scaled[self._others] - scaled[:, None]
+        rows[:, 9:end] = 0.5 * offsets.reshape(count, -1)
+        rows[:, end : end + self._sectors.size] = self._sectors
+        for index, place in enumerate(places):
+            rows[index, 6:9] = self._person(self._kinds[index], place)
+            closed = self._closed(index, self._vehicles[index].place)
+            rows[index, end + self._sectors.size :] = closed
+        return np.minimum(np.maximum(rows, -1.0), 1.0)
 
-    def _one(
-        self,
-        index: int,
-        place: npt.NDArray[np.float64],
-        scaled: npt.NDArray[np.float64],
-        left: float,
-    ) -> npt.NDArray[np.float64]:
-        kind = self._kinds[index]
-        others = np.delete(scaled, index, axis=0) - scaled[index]
-        medium = [float(kind.domain == domain) for domain in _DOMAINS]
-        row, column = self.truth.scene.area.lattice.cell(place[0], place[1])
-        rows, columns = row + self._patch[0], column + self._patch[1]
-        shape = self._covered.shape
-        inside = (rows >= 0) & (rows < shape[0]) & (columns >= 0) & (columns < shape[1])
-        rows, columns = rows.clip(0, shape[0] - 1), columns.clip(0, shape[1] - 1)
-        open_ = inside & ~self._covered[rows, columns] & self._reach[index][rows, columns]
-        return np.concatenate(
-            [
-                scaled[index],
-                medium,
-                [left],
-                self._person(kind, place),
-                others.ravel() / 2.0,
-                self._sectors,
-                1.0 - open_.ravel(),
-            ]
-        )
+    def _closed(self, index: int, place: tuple[float, float]) -> npt.NDArray[np.bool_]:
+        """Samples around a robot: what is covered, or cannot be reached."""
+        row, column = self._cell(place)
+        side = slice(None, 2 * _BORDER + 1, _PATCH_CELLS)
+        rows, columns = slice(row, row + 2 * _BORDER + 1), slice(column, column + 2 * _BORDER + 1)
+        uncovered = self._uncovered[rows, columns][side, side]
+        open_ = uncovered & self._reachable[index][rows, columns][side, side]
+        return ~open_.ravel()
+
+    def _cell(self, place: tuple[float, float]) -> tuple[int, int]:
+        lattice = self.truth.scene.area.lattice
+        column = int((place[0] - lattice.origin[0]) / lattice.cell_m)
+        row = int((place[1] - lattice.origin[1]) / lattice.cell_m)
+        return min(row, lattice.rows - 1), min(column, lattice.columns - 1)
 
     def _person(self, kind: Kind, place: npt.NDArray[np.float64]) -> list[float]:
         """Offset of the nearest person who was found and waits for such a robot; is there one."""
-        waits = [_waits(one, kind) for one in self.truth.people]
-        if not any(waits):
+        waits = [index for index, one in enumerate(self.truth.people) if _waits(one, kind)]
+        if not waits:
             return [0.0, 0.0, 0.0]
         offsets = self.truth.places[waits] - place
         nearest = offsets[np.hypot(offsets[:, 0], offsets[:, 1]).argmin()]
-        return [*(nearest / _NEAR_M).clip(-1.0, 1.0).tolist(), 1.0]
+        return [*(nearest / _NEAR_M).tolist(), 1.0]
 
     def _chain(self) -> None:
         """A hash of all that happened: coverage is a function of where robots were."""

@@ -16,11 +16,11 @@ from typing import Any
 
 import gymnasium
 import numpy as np
-import trident_sim
 from trident_eval.core.errors import EvalError
 from trident_eval.ros_paths import package_folder
 from trident_sim.envs import trident_formation_v0, trident_search_v0
 
+import trident_sim
 from trident_benchmarks.results import FAILED, MEASURED, check_folder, new_document, write_document
 
 _RUNS = 3

@@ -95,9 +95,7 @@ class Eye:
         """
         self.area, self.sensor = area, sensor
         lattice = area.lattice
-        reach = math.ceil(sensor.range_m / lattice.cell_m)
-        down, right = np.mgrid[-reach : reach + 1, -reach : reach + 1]
-        self._down, self._right = down.ravel(), right.ravel()
+        self._reach = reach = math.ceil(sensor.range_m / lattice.cell_m)
         factor = weather_factor(wave_height_m)
         # Rates -ln(1 - p) [1/s]; only these are added up.
         wet = factor * _rate(sensor.cover_water)
@@ -106,6 +104,7 @@ class Eye:
         if sensor.from_above:
             self.cover_rate[area.covered] = 0.0
             self.detect_rate[area.covered] = 0.0
+        self._open_sky: Mask = self.detect_rate > 0.0
         surface = np.maximum(area.heights, 0.0)
         self._surface = surface
         self._rugged = _largest_nearby(surface, reach) - _smallest_nearby(surface, reach)
@@ -120,15 +119,18 @@ class Eye:
             raise SearchError(f"view: place is {x}, {y}, legal: finite")
         lattice = self.area.lattice
         row0, column0 = (int(value) for value in lattice.cell(x, y))
-        row, column = row0 + self._down, column0 + self._right
-        inside = (row >= 0) & (row < lattice.rows) & (column >= 0) & (column < lattice.columns)
-        at_x, at_y = lattice.middle(row, column)
-        near = (at_x - x) ** 2 + (at_y - y) ** 2 <= self.sensor.range_m**2
-        chosen = inside & near
-        row, column = row[chosen], column[chosen]
+        low, left = max(row0 - self._reach, 0), max(column0 - self._reach, 0)
+        rows = np.arange(low, min(row0 + self._reach + 1, lattice.rows))
+        columns = np.arange(left, min(column0 + self._reach + 1, lattice.columns))
+        at_x, at_y = lattice.middle(rows, columns)
+        chosen = (at_x - x) ** 2 + (at_y[:, None] - y) ** 2 <= self.sensor.range_m**2
         if self.sensor.from_above:
-            open_sky = self.detect_rate[row, column] > 0.0
-            return View(row[open_sky], column[open_sky])
+            open_sky = self._open_sky[low : low + len(rows), left : left + len(columns)]
+            chosen &= open_sky
+        row, column = np.nonzero(chosen)
+        row, column = row + low, column + left
+        if self.sensor.from_above:
+            return View(row, column)
         eye_m = self._surface[row0, column0] + self.sensor.height_m
         if self._rugged[row0, column0] + _FREE_M <= self.sensor.height_m:
             return View(row, column)  # nothing nearby is as high as the eye
