@@ -30,9 +30,9 @@ struct Blocks {
   /// Of what rounding may carry beyond 1.
   template <class Values>
   static float* put_unit(const Values& values, float* out) {
-    return std::transform(
-        values.data(), values.data() + values.size(), out,
-        [](double value) { return static_cast<float>(std::clamp(value, -1.0, 1.0)); });
+    return std::transform(values.data(), values.data() + values.size(), out, [](double value) {
+      return static_cast<float>(std::clamp(value, -1.0, 1.0));
+    });
   }
   template <std::size_t kSize>
   static std::size_t fixed(const Agent& /*agent*/, std::size_t /*agents*/) {
