@@ -57,7 +57,7 @@ struct FusionRobotParams {
     ar.field("water_level", water_level, Range::any(), "of its base in the world [m]");
     ar.field("waterline_sigma", waterline_sigma, Range::positive(), "by waves [m]");
     ar.field("shared_pose_topic", shared_pose_topic,
-             "where a team mate believes it to be in the common frame, by covariance intersection: "
+             "where a team mate believes it to be in the common frame: "
              "geometry_msgs/PoseWithCovarianceStamped");
     ar.field("map_start", map_start, Range::any(),
              "where its map is believed to be at the start: x, y, z, yaw [m, rad]");
