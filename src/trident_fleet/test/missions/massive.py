@@ -51,24 +51,27 @@ class _Moved(GuidedVehicle):
 
 
 class Wheels:
-    """Two driven wheels, 0.6 m apart: what is asked for acts a period later, and builds up."""
+    """Two driven wheels, 0.6 m apart: what is asked for acts a period later, and builds up.
+
+    Each wheel speeds up by 1 m/s^2 at most, whatever the other does.
+    """
 
     def __init__(self) -> None:
         """At rest."""
         self._asked = (0.0, 0.0)
-        self._speed = self._turn = 0.0
+        self._rims = [0.0, 0.0]
 
     def driven(self, motion: Motion, wanted: tuple[float, float]) -> Motion:
         """Where a robot is a period later."""
-        asked, self._asked = self._asked, wanted
-        rim_m_s2 = 1.0
-        self._speed += _PERIOD_S * _bounded((asked[0] - self._speed) / _PERIOD_S, rim_m_s2)
-        turn_rad_s2 = 2.0 * rim_m_s2 / 0.6
-        self._turn += _PERIOD_S * _bounded((asked[1] - self._turn) / _PERIOD_S, turn_rad_s2)
-        yaw, (x, y) = motion.yaw_rad + _PERIOD_S * self._turn, motion.place
-        there_x = x + _PERIOD_S * self._speed * math.cos(yaw)
-        there_y = y + _PERIOD_S * self._speed * math.sin(yaw)
-        return Motion((there_x, there_y), 0.0, yaw, abs(self._speed))
+        (speed, turn), self._asked = self._asked, wanted
+        for index, goal in enumerate((speed - 0.3 * turn, speed + 0.3 * turn)):
+            self._rims[index] += _bounded(goal - self._rims[index], 1.0 * _PERIOD_S)
+        left, right = self._rims
+        yaw, (x, y) = motion.yaw_rad + _PERIOD_S * (right - left) / 0.6, motion.place
+        speed = 0.5 * (left + right)
+        there_x = x + _PERIOD_S * speed * math.cos(yaw)
+        there_y = y + _PERIOD_S * speed * math.sin(yaw)
+        return Motion((there_x, there_y), 0.0, yaw, abs(speed))
 
 
 def _bounded(value: float, most: float) -> float:

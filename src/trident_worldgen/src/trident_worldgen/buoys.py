@@ -14,6 +14,7 @@ from trident_worldgen.sdf import Color, Files, StaticModel, world_text
 _BED = Color((0.1, 0.25, 0.35))
 _VESSEL = "package://trident_bringup/config/vessels/channel_buoy.yaml"
 _HULL_KG = 413.485  # that and the rest of the inertial: as the vessel's file has it
+_FASTENED_M = 0.5  # below the middle of the hull
 _SLACK = 1.15  # length of a mooring per depth
 
 
@@ -27,6 +28,7 @@ class Buoy:
         y: of its anchor [m, world].
         depth: of the ground below the still water [m].
         color: red, green, blue, each 0 to 1.
+        swing: how far from above its anchor it gets at most [m]; None: by a usual mooring.
     """
 
     name: str
@@ -34,6 +36,13 @@ class Buoy:
     y: float
     depth: float
     color: Color
+    swing: float | None = None
+
+    def _mooring_m(self) -> float:
+        """Length of its mooring."""
+        if self.swing is None:
+            return _SLACK * self.depth
+        return math.hypot(self.depth - _FASTENED_M, self.swing)
 
     def text(self) -> str:
         """As a model of a world."""
@@ -68,9 +77,9 @@ class Buoy:
       </link>
       <plugin name="mooring" filename="libtrident_mooring.so">
         <bodyName>hull</bodyName>
-        <xyzOffset>0 0 -0.5</xyzOffset>
+        <xyzOffset>0 0 {-_FASTENED_M:g}</xyzOffset>
         <anchor>{self.x:g} {self.y:g} {-self.depth:g}</anchor>
-        <length>{_SLACK * self.depth:g}</length>
+        <length>{self._mooring_m():g}</length>
       </plugin>
       <plugin name="vessel" filename="libtrident_vessel.so">
         <vessel>{_VESSEL}</vessel>

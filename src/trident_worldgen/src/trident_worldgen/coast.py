@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -40,7 +40,7 @@ _STONE = Color((0.45, 0.44, 0.42))
 _ROAD_END_M = 30.0  # of the length, that the road does not reach
 _OCTAVES = ((4, 1.0), (9, 0.4), (23, 0.1))
 _TRIES = 60
-_BUOY_M = 2.5  # in which a buoy swings
+_BUOY_M = 2.5  # in which a buoy swings where boats search
 _EDGE_M = 4.0
 _RELIEF_M = 14.0
 _SEARCH_RELIEF_M = 4.5
@@ -112,7 +112,8 @@ def coast(config: CoastConfig | None = None) -> Files:
     road(land, LAND_M, config.length - _ROAD_END_M)
     quays = StaticModel("harbour")
     harbour(quays, LAND_M, BASIN_M, QUAY_Y_M)
-    more = "".join(buoy.text() for buoy in fairway(ground))
+    swing = _BUOY_M if config.is_searched else None
+    more = "".join(replace(buoy, swing=swing).text() for buoy in fairway(ground))
     more += sea_text("search_coast" if config.is_searched else "coast")
     more += place_text(63.4389, 10.399)
     comment = (

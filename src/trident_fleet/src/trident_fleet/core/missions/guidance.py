@@ -195,6 +195,8 @@ class GroundLimits:
     Attributes:
         speed_m_s: ahead [m/s].
         acceleration_m_s2: of braking [m/s^2].
+        faster_m_s: than it is it is asked to be at most [m/s]: wheels that both speed up as fast as
+            they can do not turn the robot.
         turn_rad_s: rate of turn [rad/s].
         look_m: ahead along its path at least [m], and...
         look_s: ... by so much time, at its speed: its rate of turn follows slowly [s].
@@ -203,7 +205,8 @@ class GroundLimits:
     """
 
     speed_m_s: float = 2.0
-    acceleration_m_s2: float = 0.8
+    acceleration_m_s2: float = 0.6
+    faster_m_s: float = 0.12
     turn_rad_s: float = 1.0
     look_m: float = 1.0
     look_s: float = 1.4
@@ -237,7 +240,8 @@ def wheels_velocity(
     speed = allowed_speed(
         motion.place, corners, limits.speed_m_s, limits.acceleration_m_s2, _CUT_M
     )
-    speed = max(speed * math.cos(bearing), 0.1)
+    speed = min(speed * math.cos(bearing), motion.speed_m_s + limits.faster_m_s)
+    speed = max(speed, 0.1)
     away = max(math.hypot(right, ahead), limits.look_m, limits.look_s * speed)
     return speed, _bounded(2.0 * speed * math.sin(bearing) / away, limits.turn_rad_s)
 

@@ -60,7 +60,7 @@ class TeamNode:
         self._vehicles = [Vehicle(name, f"/{name}/", index) for index, name in enumerate(names)]
         self._states = TeamStates(names)
         self._robots: dict[str, TeamRobot] = {}
-        self._record = Record()
+        self._record, self._doing = Record(), dict[str, str]()
         self._over = threading.Event()
         rospy.on_shutdown(self._over.set)
 
@@ -168,6 +168,13 @@ class TeamNode:
         return False
 
     def _say(self, mission: Mission) -> None:
+        """What each robot is about, when that changes, and now and then how all stands."""
+        for name, crew in mission.crews.items():
+            doing = crew.robot.doing if crew.alive else crew.cause
+            if doing and doing != self._doing.get(name):
+                self._doing[name] = doing
+                x, y = crew.vehicle.place
+                rospy.loginfo("%.1f s: %s at (%.0f, %.0f): %s", mission.now_s, name, x, y, doing)
         if mission.now_s % _SAID_S:
             return
         now = mission.outcome()
