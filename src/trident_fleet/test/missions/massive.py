@@ -27,9 +27,7 @@ class _Moved(GuidedVehicle):
     def __init__(self, kind: Kind, place: Place) -> None:
         looks_from_m = 20.0 if kind.domain == "air" else -math.inf
         super().__init__(place, REACHES[kind.domain], looks_from_m)
-        self._reference = AirReference(
-            np.array([*place, 0.0]), AirLimits(speed_m_s=kind.speed_m_s)
-        )
+        self._reference = AirReference(np.array([*place, 0.0]), AirLimits(speed_m_s=kind.speed_m_s))
         self._wheels = Wheels()
         self._kind, self._limits = kind, GroundLimits(speed_m_s=kind.speed_m_s)
 

@@ -237,9 +237,7 @@ def wheels_velocity(
     bearing = math.remainder(math.atan2(ahead, right) - motion.yaw_rad, math.tau)
     if abs(bearing) > limits.on_spot_rad:
         return 0.0, _bounded(_TURN_GAIN * bearing, limits.turn_rad_s)
-    speed = allowed_speed(
-        motion.place, corners, limits.speed_m_s, limits.acceleration_m_s2, _CUT_M
-    )
+    speed = allowed_speed(motion.place, corners, limits.speed_m_s, limits.acceleration_m_s2, _CUT_M)
     speed = min(speed * math.cos(bearing), motion.speed_m_s + limits.faster_m_s)
     speed = max(speed, 0.1)
     away = max(math.hypot(right, ahead), limits.look_m, limits.look_s * speed)

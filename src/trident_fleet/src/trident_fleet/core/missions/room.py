@@ -104,6 +104,4 @@ def _off(place: Place, begin: Place, end: Place) -> float:
     if square > 0.0:
         share = ((place[0] - begin[0]) * along_x + (place[1] - begin[1]) * along_y) / square
         share = min(max(share, 0.0), 1.0)
-    return math.hypot(
-        place[0] - begin[0] - share * along_x, place[1] - begin[1] - share * along_y
-    )
+    return math.hypot(place[0] - begin[0] - share * along_x, place[1] - begin[1] - share * along_y)

@@ -26,16 +26,19 @@ from trident_fleet.core.missions.guidance import (
     AirLimits,
     AirReference,
     GroundLimits,
+    allowed_speed,
     wheels_velocity,
 )
 from trident_fleet.core.missions.guided import GuidedVehicle
 from trident_fleet.core.missions.kinds import Kind
+from trident_fleet.core.missions.scene import Place
 from trident_fleet.core.quintic import Array, Motion
 from trident_fleet.nodes.world_link import foreign_problem
 from trident_ros import Refusals
 
+# Of a vessel, which goes wide where it turns fast: braking, and from where on it turns.
+_BRAKE_M_S2, _TURN_M, _SLOWEST_M_S = 0.2, 5.0, 0.7
 _STATION_M = 12.0  # from here on a vessel goes to a place as to a station
-
 
 
 class TeamRobot(Protocol):
@@ -181,10 +184,13 @@ class SeaRobot:
         is_near = len(path) <= 1 and math.dist(motion.place, self.vehicle.keeps) <= _STATION_M
         said = ("station", self.vehicle.keeps) if is_near else ("path", self.vehicle.version)
         if said == self._said or not self._has_speed:
-            # At the station, too: the speed at which it is approached.
             self._has_speed = True
             twist = TwistStamped(header=header)
-            twist.twist.linear.x = self._speed_m_s
+            corners = path or [self.vehicle.keeps]
+            allowed_m_s = allowed_speed(
+                motion.place, corners, self._speed_m_s, _BRAKE_M_S2, _TURN_M
+            )
+            twist.twist.linear.x = max(allowed_m_s, _SLOWEST_M_S)
             self._topics.send("command/cruise", twist)
             return
         self._said = said
