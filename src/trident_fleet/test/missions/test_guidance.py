@@ -16,6 +16,7 @@ from trident_fleet.core.missions.guidance import (
     AirLimits,
     AirReference,
     GroundLimits,
+    Unstick,
     allowed_speed,
     point_ahead,
     wheels_velocity,
@@ -186,6 +187,25 @@ def test_paths_keep_away_from_what_stands_there_and_keep_their_ends() -> None:
     assert room.away_m(np.array(tight)).min() < 2.0, "what is tight is near"
     assert room.widened(start, [(-30.0, -30.0)]) == [(-30.0, -30.0)]
     assert room.widened(start, []) == []
+
+
+def test_who_lies_there_is_passed_at_a_distance() -> None:
+    room = Room(walled(), "water", 1.0)
+    start, person = (-30.0, -20.0), (-28.8, -20.0)
+    path = [start, *room.widened(start, [(-10.0, -20.0)], [person])]
+    assert path[-1] == (-10.0, -20.0)
+    assert min(math.dist(place, person) for place in path[1:]) > 1.3
+
+
+def test_what_is_stuck_drives_back_and_goes_on() -> None:
+    unstick, ahead = Unstick(), (0.5, 0.1)
+    assert [unstick.velocity(ahead, 0.4) for _ in range(60)] == [ahead] * 60
+    said = [unstick.velocity(ahead, 0.0) for _ in range(60)]
+    assert said[:20] == [ahead] * 20
+    assert all(velocity[0] < 0.0 for velocity in said[20:45])
+    assert said[45:] == [ahead] * 15
+    turning = [unstick.velocity((0.0, 1.0), 0.0) for _ in range(60)]
+    assert turning == [(0.0, 1.0)] * 60, "it turns on the spot"
 
 
 def test_in_a_gap_the_middle_is_taken() -> None:

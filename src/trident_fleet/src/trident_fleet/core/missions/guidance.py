@@ -244,5 +244,33 @@ def wheels_velocity(
     return speed, _bounded(2.0 * speed * math.sin(bearing) / away, limits.turn_rad_s)
 
 
+class Unstick:
+    """Drives back for a while when a robot on wheels does not come ahead: something is there."""
+
+    _PERIODS_STUCK, _PERIODS_BACK = 20, 25
+    _BACK = (-0.5, 0.3)  # [m/s], [rad/s]
+    _LEAST_M_S = 0.03
+
+    def __init__(self) -> None:
+        """It moves."""
+        self._stuck = self._back = 0
+
+    def velocity(self, wanted: tuple[float, float], speed_m_s: float) -> tuple[float, float]:
+        """What to drive with in the next period, a tenth of a second.
+
+        Args:
+            wanted: speed ahead [m/s] and rate of turn [rad/s].
+            speed_m_s: of the robot now [m/s].
+        """
+        if self._back:
+            self._back -= 1
+            return self._BACK
+        is_stuck = wanted[0] > self._LEAST_M_S and speed_m_s < self._LEAST_M_S
+        self._stuck = self._stuck + 1 if is_stuck else 0
+        if self._stuck >= self._PERIODS_STUCK:
+            self._stuck, self._back = 0, self._PERIODS_BACK
+        return wanted
+
+
 def _bounded(value: float, most: float) -> float:
     return max(-most, min(most, value))

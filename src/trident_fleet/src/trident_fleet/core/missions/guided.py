@@ -83,6 +83,7 @@ class GuidedVehicle:
         self._reach, self._looks_from_m, self._room = reach, looks_from_m, room
         self.motion = Motion(place, 0.0, 0.0, 0.0)
         self.keeps: Place = place
+        self.people: Sequence[Place] = ()
         self.path_m = 0.0
         self.version = 0
         self._path: deque[Place] = deque()
@@ -121,7 +122,7 @@ class GuidedVehicle:
     def follow(self, path: Sequence[Place]) -> None:
         """Leave the path before, and follow this one from where it is."""
         if self._room is not None:
-            path = self._room.widened(self.place, path)
+            path = self._room.widened(self.place, path, self.people)
         self._path, self._begin = deque(path), self.place
         self.keeps = path[-1] if path else self.place
         self.version += 1

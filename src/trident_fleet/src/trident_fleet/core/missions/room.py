@@ -17,6 +17,7 @@ from trident_fleet.core.search.area import Array, Mask, SearchArea
 _FINER = 4  # points of the field along a cell
 _SPACING_M = 1.0
 _ROUNDS, _ROUND_M = 20, 0.25  # in which a point is moved, and how far at most in one
+_PERSON_M = 1.7  # from the middle of a person who lies to that of a robot that passes
 _STRAIGHT_M = 0.25  # that a corner that is left out may lie off the line
 
 
@@ -44,12 +45,15 @@ class Room:
         """Distance of places to what stands there [m], shape (N,)."""
         return np.asarray(self._away_m[self._index(places)])
 
-    def widened(self, start: Place, path: Sequence[Place]) -> list[Place]:
+    def widened(
+        self, start: Place, path: Sequence[Place], people: Sequence[Place] = ()
+    ) -> list[Place]:
         """A path with the same end, moved to where there is room; corners on a line are left out.
 
         Args:
             start: of the path, p_common [m].
             path: its corners.
+            people: who lie there, p_common [m].
         """
         if not path:
             return []
@@ -60,6 +64,8 @@ class Room:
             by_m = np.clip(0.5 * (self._clearance_m - self._away_m[index]), 0.0, _ROUND_M)
             inner[:, 0] += by_m * self._right[index]
             inner[:, 1] += by_m * self._up[index]
+            for person in people:
+                _keep_off(inner, person)
         corners = _simplified([(float(x), float(y)) for x, y in points])
         return corners[1:]
 
@@ -68,6 +74,13 @@ class Room:
         column = ((places[:, 0] - self._origin[0]) / self._step_m).astype(int)
         row = ((places[:, 1] - self._origin[1]) / self._step_m).astype(int)
         return np.clip(row, 0, rows - 1), np.clip(column, 0, columns - 1)
+
+
+def _keep_off(points: Array, person: Place) -> None:
+    """Move points away from who lies there."""
+    aside = points - np.array(person)
+    away = np.maximum(np.hypot(aside[:, 0], aside[:, 1]), 1e-3)
+    points += (np.clip(_PERSON_M - away, 0.0, _ROUND_M) / away)[:, None] * aside
 
 
 def _dense(corners: Sequence[Place]) -> Array:

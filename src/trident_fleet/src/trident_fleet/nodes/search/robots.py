@@ -26,6 +26,7 @@ from trident_fleet.core.missions.guidance import (
     AirLimits,
     AirReference,
     GroundLimits,
+    Unstick,
     allowed_speed,
     wheels_velocity,
 )
@@ -226,7 +227,7 @@ class GroundRobot:
     def __init__(self, name: str, vehicle: GuidedVehicle, kind: Kind, period_ns: int) -> None:
         """Advertise and subscribe; a velocity holds for a period [ns]."""
         self.name, self.vehicle, self._period_ns = name, vehicle, period_ns
-        self._limits = GroundLimits(speed_m_s=kind.speed_m_s)
+        self._limits, self._unstick = GroundLimits(speed_m_s=kind.speed_m_s), Unstick()
         self._changed = threading.Condition()
         self._twists: list[tuple[int, Twist]] = [(-1, Twist())]
         self._until_ns, self._is_closed = -1, False
@@ -247,9 +248,9 @@ class GroundRobot:
         """The velocity of a period."""
         twist = Twist()
         if alive:
-            twist.linear.x, twist.angular.z = wheels_velocity(
-                self.vehicle.motion, self.vehicle.line, self._limits
-            )
+            motion = self.vehicle.motion
+            wanted = wheels_velocity(motion, self.vehicle.line, self._limits)
+            twist.linear.x, twist.angular.z = self._unstick.velocity(wanted, motion.speed_m_s)
         with self._changed:
             self._twists = [*self._twists[-3:], (stamp_ns, twist)]
             self._until_ns = stamp_ns + self._period_ns

@@ -161,6 +161,8 @@ class TeamNode:
                 self._say(mission)
                 if mission.is_over():
                     return True
+            for name, robot in self._robots.items():
+                robot.vehicle.people = _people_on_land(mission.crews[name])
             mission.decide()
         for name, robot in self._robots.items():
             crew = mission.crews[name]
@@ -210,6 +212,12 @@ class TeamNode:
         for robot in grounded:
             # It stands at the question that is not answered, until this node has ended the launch.
             robot.wait_for_question(end_ns)
+
+
+def _people_on_land(crew: Crew) -> list[Place]:
+    """Of whom a robot knows."""
+    people = crew.robot.knowledge.people.values()
+    return [fix.place for fix in people if fix.domain == "ground"]
 
 
 def _in_air(crew: Crew) -> bool:
