@@ -197,15 +197,18 @@ def test_who_lies_there_is_passed_at_a_distance() -> None:
     assert min(math.dist(place, person) for place in path[1:]) > 1.3
 
 
-def test_what_is_stuck_drives_back_and_goes_on() -> None:
-    unstick, ahead = Unstick(), (0.5, 0.1)
-    assert [unstick.velocity(ahead, 0.4) for _ in range(60)] == [ahead] * 60
-    said = [unstick.velocity(ahead, 0.0) for _ in range(60)]
+def test_what_is_stuck_drives_back_and_then_ahead() -> None:
+    unstick, ahead, still = Unstick(), (0.5, 0.1), at(0.0, 0.0)
+    assert [unstick.velocity(ahead, at(0.0, 0.0, 0.4)) for _ in range(60)] == [ahead] * 60
+    said = [unstick.velocity(ahead, still) for _ in range(90)]
     assert said[:20] == [ahead] * 20
-    assert all(velocity[0] < 0.0 for velocity in said[20:45])
-    assert said[45:] == [ahead] * 15
-    turning = [unstick.velocity((0.0, 1.0), 0.0) for _ in range(60)]
-    assert turning == [(0.0, 1.0)] * 60, "it turns on the spot"
+    assert said[20:45] == [(-0.5, 0.0)] * 25
+    assert said[45:65] == [ahead] * 20
+    assert said[65:90] == [(0.5, 0.0)] * 25
+    turning = [Motion((0.0, 0.0), 0.0, 0.05 * index, 0.0) for index in range(60)]
+    assert [unstick.velocity((0.0, 1.0), motion) for motion in turning] == [(0.0, 1.0)] * 60
+    stands = [unstick.velocity((0.0, 0.0), still) for _ in range(60)]
+    assert stands == [(0.0, 0.0)] * 60
 
 
 def test_in_a_gap_the_middle_is_taken() -> None:

@@ -245,30 +245,34 @@ def wheels_velocity(
 
 
 class Unstick:
-    """Drives back for a while when a robot on wheels does not come ahead: something is there."""
+    """Drives a robot back, and the next time ahead, when it neither comes on nor turns."""
 
-    _PERIODS_STUCK, _PERIODS_BACK = 20, 25
-    _BACK = (-0.5, 0.3)  # [m/s], [rad/s]
-    _LEAST_M_S = 0.03
+    _PERIODS_STUCK, _PERIODS_AWAY = 20, 25
+    _AWAY_M_S = 0.5
+    _LEAST_M_S, _LEAST_RAD = 0.03, 0.01
 
     def __init__(self) -> None:
         """It moves."""
-        self._stuck = self._back = 0
+        self._stuck = self._left = 0
+        self._away_m_s, self._yaw_rad = self._AWAY_M_S, 0.0
 
-    def velocity(self, wanted: tuple[float, float], speed_m_s: float) -> tuple[float, float]:
+    def velocity(self, wanted: tuple[float, float], motion: Motion) -> tuple[float, float]:
         """What to drive with in the next period, a tenth of a second.
 
         Args:
             wanted: speed ahead [m/s] and rate of turn [rad/s].
-            speed_m_s: of the robot now [m/s].
+            motion: of the robot.
         """
-        if self._back:
-            self._back -= 1
-            return self._BACK
-        is_stuck = wanted[0] > self._LEAST_M_S and speed_m_s < self._LEAST_M_S
-        self._stuck = self._stuck + 1 if is_stuck else 0
+        turned = abs(math.remainder(motion.yaw_rad - self._yaw_rad, math.tau))
+        self._yaw_rad = motion.yaw_rad
+        if self._left:
+            self._left -= 1
+            return self._away_m_s, 0.0
+        is_still = motion.speed_m_s < self._LEAST_M_S and turned < self._LEAST_RAD
+        self._stuck = self._stuck + 1 if is_still and wanted != (0.0, 0.0) else 0
         if self._stuck >= self._PERIODS_STUCK:
-            self._stuck, self._back = 0, self._PERIODS_BACK
+            self._stuck, self._left = 0, self._PERIODS_AWAY
+            self._away_m_s = -self._away_m_s
         return wanted
 
 

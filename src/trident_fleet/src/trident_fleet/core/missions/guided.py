@@ -34,7 +34,7 @@ class Reach:
 
 REACHES = {
     "air": Reach(corner_m=7.0, end_m=3.0, stop_m=0.0),
-    "ground": Reach(corner_m=0.8, end_m=1.0, stop_m=1.6, clearance_m=0.9),
+    "ground": Reach(corner_m=0.8, end_m=1.0, stop_m=2.0, clearance_m=0.9),
     "water": Reach(corner_m=2.0, end_m=5.0, stop_m=1.2, clearance_m=3.5),
 }
 """By the medium that a vehicle moves in."""

@@ -17,7 +17,7 @@ from trident_fleet.core.search.area import Array, Mask, SearchArea
 _FINER = 4  # points of the field along a cell
 _SPACING_M = 1.0
 _ROUNDS, _ROUND_M = 20, 0.25  # in which a point is moved, and how far at most in one
-_PERSON_M = 1.7  # from the middle of a person who lies to that of a robot that passes
+_PERSON_M = 2.0  # from the middle of a person who lies to that of a robot that passes
 _STRAIGHT_M = 0.25  # that a corner that is left out may lie off the line
 
 

@@ -250,7 +250,7 @@ class GroundRobot:
         if alive:
             motion = self.vehicle.motion
             wanted = wheels_velocity(motion, self.vehicle.line, self._limits)
-            twist.linear.x, twist.angular.z = self._unstick.velocity(wanted, motion.speed_m_s)
+            twist.linear.x, twist.angular.z = self._unstick.velocity(wanted, motion)
         with self._changed:
             self._twists = [*self._twists[-3:], (stamp_ns, twist)]
             self._until_ns = stamp_ns + self._period_ns

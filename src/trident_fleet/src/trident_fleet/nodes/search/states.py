@@ -48,6 +48,11 @@ class TeamStates:
             f"{SIMULATOR}/fleet_state", FleetState, self._take, tcp_nodelay=True
         )
 
+    @property
+    def has_simulator(self) -> bool:
+        """Whether somebody publishes the states."""
+        return bool(self._subscriber.get_num_connections())
+
     def next(self, wait_s: float) -> TeamState | None:
         """The next one; None: none comes within so much wall time [s]."""
         try:

@@ -38,7 +38,7 @@ from trident_fleet.nodes.world_link import SimulatorClient
 
 PERIOD_NS = 100_000_000
 _DECISION = round(STEP_S * NS_PER_S) // PERIOD_NS  # periods from decision to decision
-_STANDS_S, _LONGEST_S, _REPORT_S = 1.0, 16.0, 10.0
+_STANDS_S, _LONGEST_S, _REPORT_S, _POLL_S = 1.0, 16.0, 10.0, 0.1
 _SAID_S = 60.0  # simulated, from one line about the mission to the next
 
 
@@ -208,7 +208,8 @@ class TeamNode:
         grounded = [one for one in self._robots.values() if isinstance(one, GroundRobot)]
         if len(grounded) < len(self._robots):
             link.enroll(end_ns)
-            self._over.wait()
+            while self._states.has_simulator and not self._over.wait(_POLL_S):
+                pass
         for robot in grounded:
             # It stands at the question that is not answered, until this node has ended the launch.
             robot.wait_for_question(end_ns)
