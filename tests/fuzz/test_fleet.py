@@ -14,7 +14,10 @@ from nav_msgs.msg import Odometry
 from trident.testing import Gazebo, Launch, Ros, pose, program, vehicle_urdf
 from trident.testing.fuzz import Campaign, CampaignOptions, Target
 from trident.testing.waiting import eventually
+from trident_worldgen.coast import CoastConfig, coast
+from trident_worldgen.sdf import write_files
 
+MISSIONS = Path(__file__).resolve().parents[2] / "config" / "missions"
 LEADER = "/UAV1/odometry_sensor1/odometry"
 #: Nodes that share the code of formation_node, each with a vehicle of its own: what they are, and
 #: one in how many messages they get. The first one plans again whenever time goes back; the last
@@ -85,14 +88,24 @@ def test_a_follower(ros: Ros) -> None:
 
 
 @pytest.mark.fuzzes("trident_fleet/search_and_rescue.py")
-def test_a_team_that_searches(ros: Ros) -> None:
-    coast = {"length": 300.0, "covers": 1, "casualties": 1}
-    file = "search_and_rescue.launch"
-    with Launch(ros, "trident_bringup", file, paused=True, **coast) as run:
-        run.ready()
-        run.step_to(1.0)
-        withstands("/search_and_rescue", words=("uav1", "ugv1", "usv1"))
-        has_stood_it(run)
+def test_a_team_that_searches(ros: Ros, tmp_path: Path) -> None:
+    """It hears the states of all robots and the odometry of those on wheels."""
+    write_files(coast(CoastConfig(covers=1, casualties=1)), tmp_path)
+    simulation = Gazebo(ros, wait_for_sources=1).ready()
+    simulation.spawn("ugv1", BOAT.replace("<static>true</static>", ""), pose(z=1.0))
+    files = {
+        "scene": tmp_path / "coast.scene.yaml",
+        "numbers": MISSIONS / "search_and_rescue.yaml",
+        "tree": MISSIONS / "search_and_rescue_tree.yaml",
+    }
+    words = [f"_{name}:={file}" for name, file in files.items()]
+    node = [program("trident_fleet", "search_and_rescue.py"), "__name:=search_and_rescue"]
+    process = started(ros, "/search_and_rescue", [*node, "_mode:=ugv", *words])
+    target = Target("/search_and_rescue")
+    eventually(lambda: "/ugv1/odom" in str(target.subscriptions()), "it hears the robot")
+    withstands("/search_and_rescue", words=("ugv1", "usv1"))
+    assert process.running
+    has_no_traceback("search_and_rescue", process.log)
 
 
 @pytest.mark.fuzzes("trident_fleet/base_station.py")
