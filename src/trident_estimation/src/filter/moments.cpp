@@ -126,6 +126,7 @@ Belief predict_extended(const Model& model, const Belief& belief, const Eigen::V
   const Eigen::MatrixXd F = model.jacobian(belief.state, u, dt);
   const std::vector<DofRange> groups = model.groups();
   std::vector<Eigen::MatrixXd> blocks;
+  blocks.reserve(groups.size());
   for (const DofRange& group : groups) {
     blocks.emplace_back(F.block(group.first, group.first, group.size, group.size));
   }

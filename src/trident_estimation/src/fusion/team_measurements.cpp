@@ -110,7 +110,7 @@ Vector3d seen(const VectorXd& x, const Sighting& sighting) {
 Eigen::Vector2d off_direction(const Vector3d& to_target, const Vector3d& measured,
                               const Eigen::Matrix<double, 3, 2>& basis) {
   const Vector3d unit = to_target / std::max(to_target.norm(), kMinDistance);
-  const Eigen::Vector2d sines = basis.transpose() * unit;
+  Eigen::Vector2d sines = basis.transpose() * unit;
   if (unit.dot(measured) >= 0.0) return sines;
   const double length = std::max(sines.norm(), kMinDistance);
   return (2.0 - length) / length * sines;
