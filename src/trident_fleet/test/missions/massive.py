@@ -29,7 +29,8 @@ class _Moved(GuidedVehicle):
         super().__init__(place, REACHES[kind.domain], looks_from_m)
         self._reference = AirReference(np.array([*place, 0.0]), AirLimits(speed_m_s=kind.speed_m_s))
         self._wheels = Wheels()
-        self._kind, self._limits = kind, GroundLimits(speed_m_s=kind.speed_m_s)
+        share = 0.9 if kind.domain == "water" else 1.0
+        self._kind, self._limits = kind, GroundLimits(speed_m_s=share * kind.speed_m_s)
 
     def step(self, seconds: float) -> None:
         for _ in range(round(seconds / _PERIOD_S)):
@@ -44,7 +45,7 @@ class _Moved(GuidedVehicle):
         """On wheels; a vessel that turns as they do, but slowly."""
         wanted = wheels_velocity(self.motion, self.line, self._limits)
         if self._kind.domain == "water":
-            wanted = 0.9 * wanted[0], min(max(wanted[1], -0.3), 0.3)
+            wanted = wanted[0], min(max(wanted[1], -0.3), 0.3)
         return self._wheels.driven(self.motion, wanted)
 
 
