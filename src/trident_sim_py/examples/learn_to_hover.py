@@ -8,6 +8,7 @@
 
 import argparse
 import time
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -18,9 +19,9 @@ COUNT, ELITE, STEPS = 64, 8, 300
 Array = npt.NDArray[np.float64]
 
 
-def fly(envs: gymnasium.vector.VectorEnv, policies: Array, seeds: list[int]) -> tuple[Array, Array]:  # type: ignore[type-arg]
+def fly(envs: Any, policies: Array, seeds: list[int]) -> tuple[Array, Array]:
     """Returns of policies, shape (64,), and how far from the place each is at the end [m]."""
-    observations, _ = envs.reset(seed=seeds)  # type: ignore[arg-type]
+    observations, _ = envs.reset(seed=seeds)
     returns, alive = np.zeros(COUNT), np.ones(COUNT, bool)
     for _ in range(STEPS):
         inputs = np.hstack([observations, np.ones((COUNT, 1))])
