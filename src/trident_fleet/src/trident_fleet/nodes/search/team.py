@@ -166,7 +166,7 @@ class TeamNode:
             mission.decide()
         for name, robot in self._robots.items():
             crew = mission.crews[name]
-            robot.command(state.stamp_ns + PERIOD_NS, crew.alive, _in_air(crew))
+            robot.command(state.stamp_ns + PERIOD_NS, crew.alive, crew.robot.in_air)
         return False
 
     def _say(self, mission: Mission) -> None:
@@ -219,10 +219,6 @@ def _people_on_land(crew: Crew) -> list[Place]:
     """Of whom a robot knows."""
     people = crew.robot.knowledge.people.values()
     return [fix.place for fix in people if fix.domain == "ground"]
-
-
-def _in_air(crew: Crew) -> bool:
-    return crew.robot.in_air
 
 
 def _robot(name: str, kind: Kind, vehicle: GuidedVehicle, state: TeamState) -> TeamRobot:
