@@ -97,6 +97,18 @@ def test_headers_are_followed_through_each_other(tmp_path: Path) -> None:
     assert names == ["b.h", "c.h", "a.cpp"]
 
 
+def test_the_first_header_of_a_source_is_found(tmp_path: Path) -> None:
+    unit = _unit(tmp_path)
+    scanner = IncludeScanner(tmp_path)
+    first = scanner.first(unit)
+    assert first is not None
+    assert first.name == "b.h"
+    unit.source.write_text("#include <vector>\n#include <pkg/b.h>\n", encoding="utf-8")
+    assert IncludeScanner(tmp_path).first(unit) is None
+    unit.source.write_text("int a;\n", encoding="utf-8")
+    assert IncludeScanner(tmp_path).first(unit) is None
+
+
 def test_key_depends_on_every_header_flag_and_setting(tmp_path: Path) -> None:
     unit = _unit(tmp_path)
     first = _key(unit, tmp_path)

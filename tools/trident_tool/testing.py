@@ -14,6 +14,8 @@ from trident_tool.environment import ros_environment
 from trident_tool.processes import ends_by_exception, started
 from trident_tool.workspace import Runner, Workspace, base_environment, hide_from_crawlers
 
+_MOST_AT_A_TIME = 3  # more only add noise to what fills the machine by itself
+
 
 def ctest_command(
     workspace: Workspace, pattern: str | None, jobs: int, extra: Sequence[str]
@@ -93,8 +95,9 @@ def run_tests(
 ) -> int:
     """Builds what the selected tests need, runs them, and returns ctest's exit code."""
     _build_for(workspace, runner, pattern)
-    # A simulation and its controllers keep more than one core busy: more at once only adds noise.
-    parallel = jobs or min(2, len(os.sched_getaffinity(0)))
+    # Tests wait for each other's processes half of their time; those that fill the machine by
+    # themselves share a lock, so that small ones run next to them.
+    parallel = jobs or min(_MOST_AT_A_TIME, len(os.sched_getaffinity(0)) + 1)
     env = base_environment() if runner.dry_run else ros_environment(workspace)
     log = workspace.build / "test_log"
     env |= {"ROS_LOG_DIR": str(log), "ROS_HOSTNAME": "localhost", "CTEST_OUTPUT_ON_FAILURE": "1"}

@@ -152,6 +152,13 @@ class IncludeScanner:
                     pending.append(header)
         return sorted(seen)
 
+    def first(self, unit: CompileCommand) -> Path | None:
+        """The header below ``root`` that the source includes before all others, if it does."""
+        names = self._included_names(unit.source)
+        if not names:
+            return None
+        return self._resolve(names[0], unit.source.parent, unit.include_dirs)
+
     def _included_names(self, path: Path) -> list[str]:
         if path not in self._direct:
             names = _INCLUDE.findall(path.read_bytes())
