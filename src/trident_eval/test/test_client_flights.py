@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from trident_eval.__main__ import main
-from trident_eval.core.client_flights import (
+from trident_eval.core.bridges.client_flights import (
     RECORD,
     client_rows,
     judge_client_flights,

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from trident_eval.core.bridges.latency import make_record, percentiles_ms, read_record
 from trident_eval.core.errors import EvalError
-from trident_eval.core.latency import make_record, percentiles_ms, read_record
 
 MS = 1_000_000
 

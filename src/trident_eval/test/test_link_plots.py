@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 from radio_runs import three_radios, write_links
-from trident_eval.core.link_plots import busy_pairs, draw_links, received_rate, snr_of
-from trident_eval.core.links import LinkLog, read_links
+from trident_eval.core.radio.link_plots import busy_pairs, draw_links, received_rate, snr_of
+from trident_eval.core.radio.links import LinkLog, read_links
 
 
 def log_of(folder: Path, lines: list[str]) -> LinkLog:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from radio_runs import write_links
 from trident_eval.core.errors import EvalError
-from trident_eval.core.link_trial import (
+from trident_eval.core.radio.link_trial import (
     LinkTrial,
     Station,
     add_trial,
@@ -19,9 +19,9 @@ from trident_eval.core.link_trial import (
     read_stations,
     read_trial,
 )
-from trident_eval.core.links import LinkLog, read_links
+from trident_eval.core.radio.links import LinkLog, read_links
+from trident_eval.core.radio.station_plots import draw_stations
 from trident_eval.core.report import table, verdict_rows
-from trident_eval.core.station_plots import draw_stations
 from trident_eval.core.tracks import Tracks
 from trident_eval.core.verdict import Verdict
 

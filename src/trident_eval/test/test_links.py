@@ -13,11 +13,11 @@ import pytest
 from radio_runs import HEADER, add_relay, call_entry, entry, three_radios, write_links
 from runs import Run
 from trident_eval.__main__ import main
-from trident_eval.core.calls import judge_calls
 from trident_eval.core.errors import EvalError
-from trident_eval.core.links import read_links
-from trident_eval.core.radio_verdict import add_links
-from trident_eval.core.relay import judge_links, read_relay
+from trident_eval.core.radio.calls import judge_calls
+from trident_eval.core.radio.links import read_links
+from trident_eval.core.radio.radio_verdict import add_links
+from trident_eval.core.radio.relay import judge_links, read_relay
 from trident_eval.core.report import table, verdict_rows
 from trident_eval.core.rows import Row
 from trident_eval.core.verdict import Verdict

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from trident_eval.core.bridges.nmea import add_nmea, checksum, degrees, read_nmea
+from trident_eval.core.bridges.nmea_plots import draw_nmea
 from trident_eval.core.errors import EvalError
-from trident_eval.core.nmea import add_nmea, checksum, degrees, read_nmea
-from trident_eval.core.nmea_plots import draw_nmea
 from trident_eval.core.report import verdict_rows
 from trident_eval.core.verdict import Verdict
 

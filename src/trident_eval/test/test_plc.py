@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from trident_eval.core.plc import PlcLog, Series, judge_plc, plc_rows
+from trident_eval.core.bridges.plc import PlcLog, Series, judge_plc, plc_rows
 from trident_eval.core.tracks import tracks_of
 
 TIMES = [float(second) for second in range(11)]

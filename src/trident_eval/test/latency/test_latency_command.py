@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from trident.testing import PYTHON, RosProcesses, program
-from trident_eval.core.latency_plots import draw_latencies
+from trident_eval.core.bridges.latency_plots import draw_latencies
 from trident_eval.latency.latency_test import float32_step_ns
 
 FEW = ["--count", "100", "--rate", "1000"]

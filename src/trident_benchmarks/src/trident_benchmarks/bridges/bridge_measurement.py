@@ -9,7 +9,12 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from trident_eval.core.latency import LatencyRecord, make_record, percentiles_ms, read_record
+from trident_eval.core.bridges.latency import (
+    LatencyRecord,
+    make_record,
+    percentiles_ms,
+    read_record,
+)
 from trident_eval.ros_paths import program
 
 from trident_benchmarks.bridges.rows import SINK_TOPIC, SOURCE_TOPIC, Bench, BridgeRow, Node

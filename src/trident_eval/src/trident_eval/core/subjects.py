@@ -12,16 +12,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from trident_eval.core.client_flights import (
+from trident_eval.core.bridges.client_flights import (
     client_rows,
     judge_client_flights,
     judge_piloted,
     missions_of,
     read_client_record,
 )
-from trident_eval.core.link_plots import draw_links
-from trident_eval.core.link_trial import add_trial, read_stations, trial_rows
-from trident_eval.core.links import read_links
+from trident_eval.core.bridges.nmea import add_nmea, nmea_rows, read_nmea
+from trident_eval.core.bridges.nmea_plots import draw_nmea
+from trident_eval.core.bridges.plc import judge_plc, plc_rows, read_plc
+from trident_eval.core.bridges.plc_plots import draw_plc
 from trident_eval.core.mission_plots import draw_missions
 from trident_eval.core.missions import (
     judge_missions,
@@ -29,12 +30,12 @@ from trident_eval.core.missions import (
     read_missions,
     read_piloted,
 )
-from trident_eval.core.nmea import add_nmea, nmea_rows, read_nmea
-from trident_eval.core.nmea_plots import draw_nmea
-from trident_eval.core.plc import judge_plc, plc_rows, read_plc
-from trident_eval.core.plc_plots import draw_plc
 from trident_eval.core.provenance import read_object
-from trident_eval.core.radio_verdict import add_links, radio_rows
+from trident_eval.core.radio.link_plots import draw_links
+from trident_eval.core.radio.link_trial import add_trial, read_stations, trial_rows
+from trident_eval.core.radio.links import read_links
+from trident_eval.core.radio.radio_verdict import add_links, radio_rows
+from trident_eval.core.radio.station_plots import draw_stations
 from trident_eval.core.rescue import (
     asked_team,
     draw_rescue,
@@ -45,7 +46,6 @@ from trident_eval.core.rescue import (
 )
 from trident_eval.core.rows import Row
 from trident_eval.core.scene import Scene
-from trident_eval.core.station_plots import draw_stations
 from trident_eval.core.tracks import Tracks, read_states
 from trident_eval.core.verdict import Verdict
 

@@ -9,10 +9,10 @@ import sys
 import tempfile
 from pathlib import Path
 
+from trident_eval.core.bridges.latency import LatencyRecord, percentiles_ms
+from trident_eval.core.bridges.latency_plots import draw_latencies
 from trident_eval.core.errors import EvalError
 from trident_eval.core.exit_codes import exit_code_of
-from trident_eval.core.latency import LatencyRecord, percentiles_ms
-from trident_eval.core.latency_plots import draw_latencies
 from trident_eval.latency.probe import listen, send_and_receive
 from trident_eval.latency.topics import Topic, look_up
 from trident_eval.options import add_latency

@@ -7,8 +7,8 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
+from trident_eval.core.bridges.latency import LatencyRecord, make_record, read_record
 from trident_eval.core.errors import EvalError
-from trident_eval.core.latency import LatencyRecord, make_record, read_record
 from trident_eval.ros_paths import program
 
 WARM_UP = 50  # messages that do not count

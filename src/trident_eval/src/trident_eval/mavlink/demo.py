@@ -12,7 +12,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from trident_eval.core.client_flights import RECORD
+from trident_eval.core.bridges.client_flights import RECORD
 from trident_eval.core.errors import EvalError
 from trident_eval.mavlink.errands import Errand, read_errands
 from trident_eval.mavlink.pilot import Pilot

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from trident_eval.core.plc import PROPELLERS, PlcLog
+from trident_eval.core.bridges.plc import PROPELLERS, PlcLog
 from trident_eval.core.plots import color, saved_figures
 from trident_eval.core.tracks import Tracks
 

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from trident_eval.core.links import LinkLog
 from trident_eval.core.plots import MANY, color, dashes, saved_figures
+from trident_eval.core.radio.links import LinkLog
 from trident_eval.core.tracks import Array
 
 # SNR at which 1 in 10 frames of 1500 bytes is lost, and the dashes of its line.

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from trident_eval.core.nmea import POSITION_LIMIT_M, NmeaLog
+from trident_eval.core.bridges.nmea import POSITION_LIMIT_M, NmeaLog
 from trident_eval.core.plots import color, saved_figures
 
 # GGA's qualities that are drawn, and how they are called.

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from trident_eval.core.link_plots import snr_of
-from trident_eval.core.link_trial import LinkTrial, Station, crossed
-from trident_eval.core.links import LinkLog
 from trident_eval.core.plots import color, saved_figures
+from trident_eval.core.radio.link_plots import snr_of
+from trident_eval.core.radio.link_trial import LinkTrial, Station, crossed
+from trident_eval.core.radio.links import LinkLog
 from trident_eval.core.tracks import Array, Tracks
 
 _SPAN_S = 5.0

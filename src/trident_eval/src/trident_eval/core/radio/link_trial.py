@@ -15,8 +15,8 @@ import numpy as np
 from trident_base.station_record import NOT_UP, STANDS, STATION_PATTERN
 
 from trident_eval.core.errors import EvalError
-from trident_eval.core.links import LinkLog, read_links
 from trident_eval.core.provenance import read_object
+from trident_eval.core.radio.links import LinkLog, read_links
 from trident_eval.core.rows import Row
 from trident_eval.core.verdict import Verdict
 

@@ -8,10 +8,10 @@ import re
 from pathlib import Path
 from typing import Any
 
-from trident_eval.core.calls import judge_calls
 from trident_eval.core.errors import EvalError
 from trident_eval.core.provenance import read_object
-from trident_eval.core.relay import judge_links
+from trident_eval.core.radio.calls import judge_calls
+from trident_eval.core.radio.relay import judge_links
 from trident_eval.core.rows import Row
 from trident_eval.core.verdict import Verdict
 
