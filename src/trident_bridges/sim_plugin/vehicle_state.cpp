@@ -4,7 +4,7 @@
 
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
-#include "trident_sim/link_motion.h"
+#include "trident_sim/world/link_motion.h"
 
 namespace trident::bridges {
 

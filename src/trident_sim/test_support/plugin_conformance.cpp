@@ -10,8 +10,8 @@
 #include "test_world.h"
 #include "trident_base/error.h"
 #include "trident_sim/commands.h"
+#include "trident_sim/samples/vector_sample.h"
 #include "trident_sim/sdf_loader.h"
-#include "trident_sim/vector_sample.h"
 
 namespace trident::sim {
 namespace {

@@ -3,8 +3,8 @@
 // What changes and describes a world's sea and wind; batteries.
 #include "bindings.h"
 #include "sample_class.h"
-#include "trident_sim/battery_sample.h"
-#include "trident_sim/text_sample.h"
+#include "trident_sim/samples/battery_sample.h"
+#include "trident_sim/samples/text_sample.h"
 
 namespace trident::sim {
 

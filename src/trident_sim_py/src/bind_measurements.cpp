@@ -4,7 +4,7 @@
 
 #include "bindings.h"
 #include "sample_class.h"
-#include "trident_sim/vector_sample.h"
+#include "trident_sim/samples/vector_sample.h"
 
 namespace trident::sim {
 namespace {

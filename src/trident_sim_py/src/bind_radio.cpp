@@ -8,7 +8,7 @@
 #include "bindings.h"
 #include "session.h"
 #include "trident_base/error.h"
-#include "trident_sim/radio.h"
+#include "trident_sim/comms/radio.h"
 
 namespace py = pybind11;
 

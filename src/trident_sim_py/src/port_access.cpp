@@ -7,11 +7,11 @@
 
 #include "trident_base/error.h"
 #include "trident_control_sim/lee_plugin.h"
-#include "trident_sim/battery_sample.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/samples.h"
-#include "trident_sim/text_sample.h"
-#include "trident_sim/vector_sample.h"
+#include "trident_sim/samples/battery_sample.h"
+#include "trident_sim/samples/text_sample.h"
+#include "trident_sim/samples/vector_sample.h"
 
 namespace py = pybind11;
 

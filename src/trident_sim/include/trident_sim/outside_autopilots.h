@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "trident_sim/step_extension.h"
+#include "trident_sim/world/step_extension.h"
 
 namespace trident::sim {
 

@@ -10,7 +10,7 @@
 
 #include "analytic_surface.h"
 #include "trident_sim/ray_scene.h"
-#include "trident_sim/step_extension.h"
+#include "trident_sim/world/step_extension.h"
 
 namespace trident::sim {
 

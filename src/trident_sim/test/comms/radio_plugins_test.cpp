@@ -12,9 +12,9 @@
 #include "comms/phy/propagation.h"
 #include "models.h"
 #include "test_world.h"
-#include "trident_sim/radio.h"
-#include "trident_sim/radio_samples.h"
+#include "trident_sim/comms/radio.h"
 #include "trident_sim/ray_scene.h"
+#include "trident_sim/samples/radio_samples.h"
 
 namespace trident::sim {
 namespace {

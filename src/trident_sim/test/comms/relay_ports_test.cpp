@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "relay_world.h"
-#include "trident_sim/radio_samples.h"
+#include "trident_sim/samples/radio_samples.h"
 
 namespace trident::sim {
 namespace {

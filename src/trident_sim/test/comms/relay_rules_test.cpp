@@ -12,7 +12,7 @@
 #include "comms/relay/relay_calls.h"
 #include "trident_base/error.h"
 #include "trident_base/random_stream.h"
-#include "trident_sim/bytes_sample.h"
+#include "trident_sim/samples/bytes_sample.h"
 
 namespace trident::sim {
 namespace {

@@ -12,9 +12,9 @@
 #include "models.h"
 #include "scratch_folder.h"
 #include "test_world.h"
-#include "trident_sim/bytes_sample.h"
-#include "trident_sim/radio.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/radio.h"
+#include "trident_sim/comms/relay.h"
+#include "trident_sim/samples/bytes_sample.h"
 
 namespace trident::sim {
 

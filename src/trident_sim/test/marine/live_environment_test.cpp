@@ -11,7 +11,7 @@
 #include "ray_check.h"
 #include "scratch_folder.h"
 #include "trident_base/config_writer.h"
-#include "trident_sim/text_sample.h"
+#include "trident_sim/samples/text_sample.h"
 
 namespace trident::sim {
 namespace {

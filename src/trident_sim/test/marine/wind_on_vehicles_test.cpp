@@ -8,9 +8,9 @@
 #include "quad_world.h"
 #include "sample_statistics.h"
 #include "trident_base/angle.h"
+#include "trident_sim/samples/text_sample.h"
+#include "trident_sim/samples/vector_sample.h"
 #include "trident_sim/sea.h"
-#include "trident_sim/text_sample.h"
-#include "trident_sim/vector_sample.h"
 
 namespace trident::sim {
 namespace {

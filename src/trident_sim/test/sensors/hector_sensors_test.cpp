@@ -10,7 +10,7 @@
 #include "models.h"
 #include "sample_statistics.h"
 #include "test_world.h"
-#include "trident_sim/vector_sample.h"
+#include "trident_sim/samples/vector_sample.h"
 
 namespace trident::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "conversions/conversions.h"
-#include "trident_sim/battery_sample.h"
+#include "trident_sim/samples/battery_sample.h"
 #include "trident_sim_ros/output_topic.h"
 
 namespace trident::sim {

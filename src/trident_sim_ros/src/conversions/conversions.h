@@ -26,7 +26,7 @@
 #include "trident_base/sim_time.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/samples.h"
-#include "trident_sim/vector_sample.h"
+#include "trident_sim/samples/vector_sample.h"
 
 namespace trident::sim {
 

@@ -7,7 +7,7 @@
 #include <trident_msgs/EnvironmentState.h>
 #include <trident_msgs/WindReading.h>
 
-#include "trident_sim/text_sample.h"
+#include "trident_sim/samples/text_sample.h"
 #include "trident_sim/thruster_setup.h"
 
 namespace trident::sim {

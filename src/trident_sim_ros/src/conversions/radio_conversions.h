@@ -5,7 +5,7 @@
 #include <trident_msgs/LinkStatusArray.h>
 #include <trident_msgs/RadioPacket.h>
 
-#include "trident_sim/radio_samples.h"
+#include "trident_sim/samples/radio_samples.h"
 
 namespace trident::sim {
 

@@ -12,7 +12,7 @@
 #include "topics/called_services.h"
 #include "topics/input_binder.h"
 #include "topics/service_types.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/relay.h"
 
 namespace trident::sim {
 

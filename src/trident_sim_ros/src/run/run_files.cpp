@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "trident_base/error.h"
-#include "trident_sim/radio.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/radio.h"
+#include "trident_sim/comms/relay.h"
 
 namespace trident::sim {
 namespace {

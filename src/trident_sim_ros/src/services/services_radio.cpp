@@ -4,7 +4,7 @@
 
 #include "services.h"
 #include "trident_base/error.h"
-#include "trident_sim/radio.h"
+#include "trident_sim/comms/radio.h"
 
 namespace trident::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "topics/diagnostics_topic.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/relay.h"
 #include "trident_sim/world.h"
 
 namespace trident::sim {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "trident_sim/bytes_sample.h"
+#include "trident_sim/samples/bytes_sample.h"
 
 namespace trident::sim {
 

@@ -15,7 +15,7 @@
 #include "run/repeatability.h"
 #include "service_types.h"
 #include "trident_ros/threaded_callback_queue.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/relay.h"
 
 namespace trident::sim {
 

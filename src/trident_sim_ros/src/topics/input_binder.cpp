@@ -24,9 +24,9 @@
 #include "thruster_services.h"
 #include "trident_ros/any_message.h"
 #include "trident_ros/schedule_fuzz.h"
-#include "trident_sim/bytes_sample.h"
 #include "trident_sim/commands.h"
-#include "trident_sim/text_sample.h"
+#include "trident_sim/samples/bytes_sample.h"
+#include "trident_sim/samples/text_sample.h"
 
 namespace trident::sim {
 namespace {

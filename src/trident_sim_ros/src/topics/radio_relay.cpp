@@ -8,7 +8,7 @@
 
 #include "any_messages.h"
 #include "trident_ros/any_message.h"
-#include "trident_sim/radio.h"
+#include "trident_sim/comms/radio.h"
 
 namespace trident::sim {
 namespace {

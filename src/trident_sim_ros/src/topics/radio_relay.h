@@ -11,8 +11,8 @@
 #include "input_binder.h"
 #include "look_schedule.h"
 #include "port_binder.h"
-#include "trident_sim/bytes_sample.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/relay.h"
+#include "trident_sim/samples/bytes_sample.h"
 
 namespace trident::sim {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "trident_sim/radio.h"
+#include "trident_sim/comms/radio.h"
 
 namespace trident::sim {
 

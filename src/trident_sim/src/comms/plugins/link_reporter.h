@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "trident_sim/radio.h"
-#include "trident_sim/radio_samples.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/radio.h"
+#include "trident_sim/comms/relay.h"
+#include "trident_sim/samples/radio_samples.h"
 #include "trident_sim/state_archive.h"
 
 namespace trident::sim {

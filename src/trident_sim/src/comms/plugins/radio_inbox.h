@@ -7,7 +7,7 @@
 #include <deque>
 #include <vector>
 
-#include "trident_sim/radio.h"
+#include "trident_sim/comms/radio.h"
 
 namespace trident::sim {
 

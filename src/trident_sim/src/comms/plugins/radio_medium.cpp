@@ -11,7 +11,7 @@
 #include "comms/phy/vht.h"
 #include "trident_base/error.h"
 #include "trident_base/string_util.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/relay.h"
 
 namespace trident::sim {
 namespace {

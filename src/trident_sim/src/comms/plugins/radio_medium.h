@@ -13,7 +13,7 @@
 #include "comms/links/radio_links.h"
 #include "comms/mac/radio_channel.h"
 #include "comms/plugins/radio_inbox.h"
-#include "trident_sim/radio.h"
+#include "trident_sim/comms/radio.h"
 #include "trident_sim/world.h"
 
 namespace trident::sim {

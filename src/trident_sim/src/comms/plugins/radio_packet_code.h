@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "trident_sim/radio_samples.h"
+#include "trident_sim/samples/radio_samples.h"
 
 namespace trident::sim {
 

@@ -11,8 +11,8 @@
 #include "core/plugins/plugin_util.h"
 #include "core/plugins/report_throttle.h"
 #include "trident_base/error.h"
+#include "trident_sim/comms/relay.h"
 #include "trident_sim/plugin_registry.h"
-#include "trident_sim/relay.h"
 #include "trident_sim/sample_clock.h"
 
 namespace trident::sim {

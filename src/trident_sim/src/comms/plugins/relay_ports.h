@@ -13,8 +13,8 @@
 
 #include "comms/relay/relay.h"
 #include "comms/relay/relay_calls.h"
-#include "trident_sim/bytes_sample.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/relay.h"
+#include "trident_sim/samples/bytes_sample.h"
 #include "trident_sim/state_archive.h"
 #include "trident_sim/world.h"
 

@@ -15,8 +15,8 @@
 #include "comms/relay/relay_network.h"
 #include "comms/relay/relay_rules.h"
 #include "comms/relay/reliable_flow.h"
-#include "trident_sim/radio.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/radio.h"
+#include "trident_sim/comms/relay.h"
 
 namespace trident::sim {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "comms/relay/relay.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/relay.h"
 
 namespace trident::sim {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "trident_base/sim_time.h"
-#include "trident_sim/relay.h"
+#include "trident_sim/comms/relay.h"
 
 namespace trident::sim {
 

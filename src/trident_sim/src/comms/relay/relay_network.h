@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "comms/routing/router.h"
-#include "trident_sim/radio.h"
+#include "trident_sim/comms/radio.h"
 
 namespace trident::sim {
 

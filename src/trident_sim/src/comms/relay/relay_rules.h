@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "trident_base/yaml_config.h"
-#include "trident_sim/radio.h"
+#include "trident_sim/comms/radio.h"
 
 namespace trident::sim {
 

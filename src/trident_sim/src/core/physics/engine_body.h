@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "trident_sim/body.h"
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
+#include "trident_sim/world/body.h"
 
 namespace trident::sim {
 

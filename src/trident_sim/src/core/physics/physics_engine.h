@@ -12,9 +12,9 @@
 
 #include "core/contacts/constraint_solver.h"
 #include "core/contacts/contact_surface.h"
-#include "trident_sim/contact.h"
 #include "trident_sim/model.h"
 #include "trident_sim/model_spec.h"
+#include "trident_sim/world/contact.h"
 
 namespace trident::sim {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "trident_base/error.h"
-#include "trident_sim/link_motion.h"
 #include "trident_sim/samples.h"
 #include "trident_sim/topic_names.h"
 #include "trident_sim/world.h"
+#include "trident_sim/world/link_motion.h"
 
 namespace trident::sim {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Trident authors
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_base/sha256.h"
-#include "trident_sim/radio.h"
+#include "trident_sim/comms/radio.h"
 #include "trident_sim/sea.h"
 #include "trident_sim/world.h"
 

@@ -11,7 +11,7 @@
 #include "trident_base/config_writer.h"
 #include "trident_base/string_util.h"
 #include "trident_sim/plugin_registry.h"
-#include "trident_sim/text_sample.h"
+#include "trident_sim/samples/text_sample.h"
 #include "vessel_body.h"
 
 namespace trident::sim {

@@ -11,8 +11,8 @@
 #include "trident_base/string_util.h"
 #include "trident_sim/plugin_registry.h"
 #include "trident_sim/sample_clock.h"
+#include "trident_sim/samples/text_sample.h"
 #include "trident_sim/sea.h"
-#include "trident_sim/text_sample.h"
 
 namespace trident::sim {
 namespace {

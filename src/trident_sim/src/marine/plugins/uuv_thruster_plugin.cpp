@@ -8,7 +8,7 @@
 #include "trident_base/string_util.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/plugin_registry.h"
-#include "trident_sim/text_sample.h"
+#include "trident_sim/samples/text_sample.h"
 #include "trident_sim/thruster_setup.h"
 #include "vessel_body.h"
 

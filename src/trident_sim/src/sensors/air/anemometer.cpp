@@ -7,9 +7,9 @@
 #include "trident_base/noise.h"
 #include "trident_sim/plugin_registry.h"
 #include "trident_sim/sample_clock.h"
+#include "trident_sim/samples/text_sample.h"
+#include "trident_sim/samples/vector_sample.h"
 #include "trident_sim/sea.h"
-#include "trident_sim/text_sample.h"
-#include "trident_sim/vector_sample.h"
 
 namespace trident::sim {
 namespace {

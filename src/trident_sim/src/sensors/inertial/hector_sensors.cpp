@@ -14,7 +14,7 @@
 #include "trident_base/random_stream.h"
 #include "trident_sim/plugin_registry.h"
 #include "trident_sim/sample_clock.h"
-#include "trident_sim/vector_sample.h"
+#include "trident_sim/samples/vector_sample.h"
 
 namespace trident::sim {
 namespace {

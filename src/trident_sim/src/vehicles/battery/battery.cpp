@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/plugins/plugin_util.h"
-#include "trident_sim/battery_sample.h"
 #include "trident_sim/commands.h"
 #include "trident_sim/plugin_registry.h"
 #include "trident_sim/sample_clock.h"
+#include "trident_sim/samples/battery_sample.h"
 #include "vehicles/battery/battery_cells.h"
 
 namespace trident::sim {

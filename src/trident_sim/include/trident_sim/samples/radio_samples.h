@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "trident_base/sim_time.h"
-#include "trident_sim/radio.h"
+#include "trident_sim/comms/radio.h"
 
 namespace trident::sim {
 
