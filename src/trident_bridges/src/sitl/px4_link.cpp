@@ -29,17 +29,17 @@ void set_xyz(const Eigen::Vector3d& v, float& x, float& y, float& z) {
 
 void Px4Link::connected() {
   is_connected_ = was_connected_ = true;
-  is_given_up_ = has_answered_ = is_asked_ = false;
-  asked_count_ = 0;
+  is_given_up_ = has_answered_ = asked_.is_open = false;
+  asked_.count = 0;
   parser_ = mavlink::PacketParser{};
   writer_ = mavlink::PacketWriter{};
 }
 
-void Px4Link::disconnected() { is_connected_ = has_answered_ = is_asked_ = false; }
+void Px4Link::disconnected() { is_connected_ = has_answered_ = asked_.is_open = false; }
 
 void Px4Link::give_up() {
   is_given_up_ = true;
-  is_asked_ = false;
+  asked_.is_open = false;
 }
 
 void Px4Link::received(mavlink::Bytes bytes) {
@@ -55,8 +55,8 @@ void Px4Link::received(mavlink::Bytes bytes) {
 /// its step; a time that is not ours says nothing, and the answer counts.
 void Px4Link::take_answer(const mavlink::Message& message) {
   const auto answer = mavlink::unpack<mavlink_hil_actuator_controls_t>(message);
-  if (asked_count_ == 0) return;  // to a connection before this one
-  if (answer.time_usec >= first_us_ && answer.time_usec < asked_us_) {
+  if (asked_.count == 0) return;  // to a connection before this one
+  if (answer.time_usec >= asked_.first_us && answer.time_usec < asked_.newest_us) {
     ++stale_answers_;
     return;
   }
@@ -64,7 +64,7 @@ void Px4Link::take_answer(const mavlink::Message& message) {
   controls_.is_armed = (answer.mode & MAV_MODE_FLAG_SAFETY_ARMED) != 0;
   ++controls_.count;
   has_answered_ = true;
-  is_asked_ = is_given_up_ = false;
+  asked_.is_open = is_given_up_ = false;
 }
 
 std::uint64_t Px4Link::growing_us(SimTime now, bool* has_jumped) {
@@ -88,11 +88,11 @@ void Px4Link::send_sensor(SimTime now, const HilSensor& sensor, double wall_s) {
   out.pressure_alt = static_cast<float>(sensor.pressure_altitude_m);
   out.temperature = static_cast<float>(sensor.temperature_c);
   out.fields_updated = sensor.fields | (has_jumped ? HilSensor::kReset : 0U);
-  if (asked_count_++ == 0) first_us_ = out.time_usec;
-  asked_ = now;
-  asked_us_ = out.time_usec;
-  asked_wall_s_ = wall_s;
-  is_asked_ = true;
+  if (asked_.count++ == 0) asked_.first_us = out.time_usec;
+  asked_.at = now;
+  asked_.newest_us = out.time_usec;
+  asked_.wall_s = wall_s;
+  asked_.is_open = true;
   write(pack(out, kSimulator));
 }
 
@@ -140,15 +140,15 @@ void Px4Link::send_state(SimTime now, const HilState& state) {
 }
 
 bool Px4Link::runs_free() const {
-  return is_connected_ && asked_count_ > 1 && (!lockstep_ || !has_answered_);
+  return is_connected_ && asked_.count > 1 && (!lockstep_ || !has_answered_);
 }
 
 bool Px4Link::is_awaited(double wall_s) const {
   if (!lockstep_ || is_given_up_) return false;
   if (!is_connected_) return true;
-  if (!is_asked_) return false;
+  if (!asked_.is_open) return false;
   if (has_answered_) return true;
-  return wall_s - asked_wall_s_ < (asked_count_ == 1 ? kFirstPatience_s : free_period_s_);
+  return wall_s - asked_.wall_s < (asked_.count == 1 ? kFirstPatience_s : free_period_s_);
 }
 
 }  // namespace trident::bridges::sitl

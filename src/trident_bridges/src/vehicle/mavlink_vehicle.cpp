@@ -72,9 +72,8 @@ MavlinkVehicle::MavlinkVehicle(const MavlinkVehicleOptions& options, MessageSink
                    [this](const std::string& reason) { say(Severity::kError, reason); }}),
       streams_(self_, send_, vehicle_stream_rates(options.flavour == AutopilotFlavour::kPx4),
                [this](std::uint32_t id) { return emit(id); }),
-      heartbeats_(kGroundStationTimeout_s, {}, {}),
       texts_(self_),
-      sticks_(self_, class_of(options.kind)) {}
+      stations_{{kGroundStationTimeout_s, {}, {}}, {self_, class_of(options.kind)}} {}
 
 PlaceContext MavlinkVehicle::places() const {
   return {geo_, autopilot_.home().value_or(Eigen::Vector3d::Zero()), newest_.state.p_world_m,
@@ -103,7 +102,7 @@ bool MavlinkVehicle::emit(std::uint32_t id) {
 bool MavlinkVehicle::handle(const Message& message, const BothTimes& now) {
   if (message.source == self_) return false;
   newest_.now = std::max(newest_.now, now.simulated);
-  if (heartbeats_.handle(message, now)) return true;
+  if (stations_.heartbeats.handle(message, now)) return true;
   return handle_protocol(message, now.simulated) || handle_set_point(message, now) ||
          handle_setting(message, now.simulated) || answer_small_services(message, now.simulated);
 }
@@ -131,7 +130,7 @@ bool MavlinkVehicle::handle_set_point(const Message& message, const BothTimes& b
     }
     return true;
   }
-  if (const auto sticks = sticks_.read(message)) {
+  if (const auto sticks = stations_.sticks.read(message)) {
     autopilot_.set_sticks(*sticks, now);
     return true;
   }
@@ -262,7 +261,7 @@ void MavlinkVehicle::on_home_changed() {
 
 void MavlinkVehicle::update(const BothTimes& now) {
   newest_.now = std::max(newest_.now, now.simulated);
-  const double silence_s = heartbeats_.ground_station_age_s(now);
+  const double silence_s = stations_.heartbeats.ground_station_age_s(now);
   if (silence_s < kGroundStationTimeout_s) {
     autopilot_.note_ground_station(now.simulated - SimTime::from_seconds(silence_s));
   }

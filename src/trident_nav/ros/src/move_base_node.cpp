@@ -34,13 +34,13 @@ MoveBaseNode::MoveBaseNode(ros::NodeHandle& node, const ros::NodeHandle& private
   parts_->local->advertise_voxels(voxels);
   serve_plugins(private_node);
   serve(node, private_node);
-  if (!parts_->params.lockstep) global_thread_ = std::thread([this] { update_global(); });
+  if (!parts_->params.lockstep) global_updates_.thread = std::thread([this] { update_global(); });
 }
 
 MoveBaseNode::~MoveBaseNode() {
-  is_ending_ = true;
+  global_updates_.is_ending = true;
   parts_->world->set_plan_listener({});
-  if (global_thread_.joinable()) global_thread_.join();
+  if (global_updates_.thread.joinable()) global_updates_.thread.join();
 }
 
 void MoveBaseNode::serve(ros::NodeHandle& node, ros::NodeHandle private_node) {
@@ -130,7 +130,7 @@ void MoveBaseNode::update_global() {
   ros::WallRate poll(200.0);
   double updated_s = -1.0;
   ros::WallTime asked = ros::WallTime::now();
-  while (!is_ending_ && ros::ok()) {
+  while (!global_updates_.is_ending && ros::ok()) {
     const double now_s = ros::Time::now().toSec();
     if (now_s < updated_s || now_s - updated_s >= parts_->global->update_period_s() - 1e-6) {
       parts_->global->update(now_s);

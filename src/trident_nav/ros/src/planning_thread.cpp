@@ -13,18 +13,18 @@ constexpr double kObstacleReach_m = 2.0;
 
 PlanningThread::PlanningThread(CostmapNode& global, CostmapNode& local, Planner& planner,
                                const MotionLimits& limits)
-    : global_(global), local_(local), planner_(planner), limits_(limits), thread_([this] {
+    : global_(global), local_(local), planner_(planner), planning_{limits, {}, {}}, thread_([this] {
         run();
       }) {}
 
 void PlanningThread::set_limits(const MotionLimits& limits) {
   const std::lock_guard lock(planner_mutex_);
-  limits_ = limits;
+  planning_.limits = limits;
 }
 
 void PlanningThread::set_plan_listener(std::function<void(const GridGeometry& geometry)> listener) {
   const std::lock_guard lock(planner_mutex_);
-  on_plan_ = std::move(listener);
+  planning_.on_plan = std::move(listener);
 }
 
 PlanningThread::~PlanningThread() {
@@ -43,8 +43,8 @@ PlanOutcome PlanningThread::plan_now(const Pose2& start, const Pose2& goal) {
   const CancelFlag never{false};
   const Costmap& costmap = global_.costmap();
   PlanOutcome outcome =
-      planner_.plan(costmap.grid(), costmap.footprint(), start, goal, limits_, never);
-  if (on_plan_) on_plan_(costmap.grid().geometry);
+      planner_.plan(costmap.grid(), costmap.footprint(), start, goal, planning_.limits, never);
+  if (planning_.on_plan) planning_.on_plan(costmap.grid().geometry);
   return outcome;
 }
 
@@ -63,9 +63,9 @@ void PlanningThread::run() {
       const std::lock_guard planning(planner_mutex_);
       const auto costs = global_.lock();
       const Costmap& costmap = global_.costmap();
-      outcome = avoided_.plan(planner_, costmap.grid(), costmap.footprint(), request.start,
-                              request.goal, limits_, cancel_);
-      if (on_plan_) on_plan_(costmap.grid().geometry);
+      outcome = planning_.avoided.plan(planner_, costmap.grid(), costmap.footprint(), request.start,
+                                       request.goal, planning_.limits, cancel_);
+      if (planning_.on_plan) planning_.on_plan(costmap.grid().geometry);
     }
     lock.lock();
     if (!cancel_) order_.outcome = std::move(outcome);
@@ -108,8 +108,8 @@ double PlanningThread::path_cost(const Path& path, std::size_t first) {
 void PlanningThread::avoid(const Path& ahead) {
   const std::lock_guard planning(planner_mutex_);
   const auto lock = global_.lock();
-  if (ahead.empty()) avoided_.clear();
-  avoided_.add(global_.costmap().grid(), global_.costmap().footprint(), ahead);
+  if (ahead.empty()) planning_.avoided.clear();
+  planning_.avoided.add(global_.costmap().grid(), global_.costmap().footprint(), ahead);
 }
 
 void PlanningThread::forget(const ClearedArea& area) {
@@ -121,15 +121,15 @@ void PlanningThread::forget(const ClearedArea& area) {
 
 void PlanningThread::note_odometry(double stamp_s) {
   const std::lock_guard lock(mutex_);
-  odometry_.note(stamp_s);
+  odometry_.age.note(stamp_s);
 }
 
 std::vector<StaleSource> PlanningThread::stale_sources(double now_s) {
   std::vector<StaleSource> stale = local_.costmap().stale_sources(now_s);
   const std::lock_guard lock(mutex_);
-  if (!odometry_.has_data() || odometry_.is_stale(now_s)) {
-    stale.push_back(
-        {"local planner", "odometry", odom_topic_, odometry_.age_s(now_s), odometry_.limit_s()});
+  if (!odometry_.age.has_data() || odometry_.age.is_stale(now_s)) {
+    stale.push_back({"local planner", "odometry", odometry_.topic, odometry_.age.age_s(now_s),
+                     odometry_.age.limit_s()});
   }
   return stale;
 }

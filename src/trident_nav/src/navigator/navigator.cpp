@@ -91,7 +91,7 @@ void Navigator::Patience::begin_motion(const Pose2& from, double now_s) {
 }
 
 void Navigator::forget_progress(double now_s) {
-  is_blocked_ = false;
+  replaced_.is_blocked = false;
   since_ = Patience{};
   since_.plan_s = since_.command_s = since_.step_s = since_.progress_s = since_.advance_s = now_s;
   since_.request_s = -1e9;
@@ -231,8 +231,8 @@ void Navigator::take_plan(const NavigatorInput& input, NavigatorOutput* output) 
   const double left_m =
       std::max(parts_.footprint.circumscribed_radius, 2.0 * input.local.geometry.resolution);
   const double old_m = keeper_.left_m(input.robot_global);
-  const bool is_rerouted = std::exchange(is_rerouted_, false);
-  if (std::exchange(is_blocked_, false) || is_rerouted) keeper_.clear();
+  const bool is_rerouted = std::exchange(replaced_.is_rerouted, false);
+  if (std::exchange(replaced_.is_blocked, false) || is_rerouted) keeper_.clear();
   output->has_new_path =
       keeper_.offer(std::move(outcome->path), input.now_s, input.robot_global, left_m, world_);
   // A path around something may be longer than what it replaces.
@@ -250,7 +250,7 @@ void Navigator::refuse_plan(const NavigatorInput& input, const PlanOutcome& outc
                             NavigatorOutput* output) {
   if (since_.failed_plans++ == 0) since_.failing_s = input.now_s;
   const bool is_following = phase_ != Phase::kPlanning;
-  if (is_following && !is_rerouted_) return;
+  if (is_following && !replaced_.is_rerouted) return;
   cause_ = outcome.reason;
   const NavigatorParams& params = parts_.params;
   const double since_s = is_following ? since_.failing_s : since_.plan_s;
@@ -296,7 +296,7 @@ void Navigator::note_progress(const NavigatorInput& input) {
   if (is_near_end || distance(from.x, from.y, pose.x, pose.y) > radius_m) {
     since_.progress_from = pose;
     since_.progress_s = input.now_s;
-    is_rerouted_ = false;
+    replaced_.is_rerouted = false;
   }
   const double left_m = keeper_.left_m(input.robot_global);
   if (is_near_end || !since_.least_left_m || left_m < *since_.least_left_m - radius_m) {
@@ -310,7 +310,7 @@ void Navigator::note_progress(const NavigatorInput& input) {
   world_.request_plan(input.robot_global, goal_);
   since_.request_s = input.now_s;
   since_.has_request = true;
-  is_rerouted_ = true;
+  replaced_.is_rerouted = true;
 }
 
 /// From now on a path of this length has to become shorter.
@@ -363,7 +363,8 @@ void Navigator::miss_command(const NavigatorInput& input, const CommandOutcome& 
                              NavigatorOutput* output) {
   cause_ = outcome.reason;
   // A base that turns in circles cannot go around what its path touches: it needs another one.
-  is_blocked_ = outcome.failure == Failure::kBlocked && parts_.limits.min_turning_radius > 0.0;
+  replaced_.is_blocked =
+      outcome.failure == Failure::kBlocked && parts_.limits.min_turning_radius > 0.0;
   if (input.now_s - since_.command_s >= parts_.params.controller_patience) {
     const std::string obstacle = world_.obstacle_text(input.state.pose);
     cause_ += (obstacle.empty() ? "" : " " + obstacle) + " controller_patience of " +

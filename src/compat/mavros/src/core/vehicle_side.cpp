@@ -63,14 +63,14 @@ bridges::mavlink::BothTimes VehicleSide::both_times() const {
 bool VehicleSide::is_px4() const { return heartbeat_.autopilot == MAV_AUTOPILOT_PX4; }
 
 void VehicleSide::receive(const Packet& packet) {
-  for (const auto& handler : packet_handlers_) handler(packet);
+  for (const auto& handler : handlers_.packet) handler(packet);
   if (packet.source.system != target_.system || packet.source == self_) return;
   const Message message = bridges::mavlink::to_message(packet);
   if (packet.source == target_) note_heartbeat(message);
   note_text(message);
   commands_.handle(message, now());
-  const auto found = handlers_.find(message.id);
-  if (found == handlers_.end()) return;
+  const auto found = handlers_.by_type.find(message.id);
+  if (found == handlers_.by_type.end()) return;
   for (const Handler& handler : found->second) handler(message);
 }
 
@@ -88,7 +88,7 @@ void VehicleSide::set_connected(bool is_connected) {
   } else {
     ROS_WARN("CON: system %d is lost: no HEARTBEAT comes", target_.system);
   }
-  for (const auto& handler : connection_handlers_) handler(is_connected);
+  for (const auto& handler : handlers_.connection) handler(is_connected);
 }
 
 void VehicleSide::note_text(const Message& message) {
@@ -101,7 +101,7 @@ void VehicleSide::note_text(const Message& message) {
 void VehicleSide::tick() {
   monitor_.update(both_times());
   commands_.update(now());
-  for (const auto& handler : tick_handlers_) handler(now());
+  for (const auto& handler : handlers_.tick) handler(now());
 }
 
 std::string VehicleSide::reason_since(SimTime asked) const {

@@ -36,18 +36,20 @@ class VehicleSide {
   VehicleSide(const MavrosParams& params, ros_utils::Refusals& refusals, bridges::PollLoop& loop);
 
   /// Calls `handler` with each message of a type that comes from the vehicle.
-  void on(std::uint32_t id, Handler handler) { handlers_[id].push_back(std::move(handler)); }
+  void on(std::uint32_t id, Handler handler) {
+    handlers_.by_type[id].push_back(std::move(handler));
+  }
   /// Calls `handler` with each packet that concerns this node, from whom it may be.
   void on_packet(std::function<void(const Packet&)> handler) {
-    packet_handlers_.push_back(std::move(handler));
+    handlers_.packet.push_back(std::move(handler));
   }
   /// Calls `handler` when the vehicle appears (true) and when it is lost (false).
   void on_connection(std::function<void(bool)> handler) {
-    connection_handlers_.push_back(std::move(handler));
+    handlers_.connection.push_back(std::move(handler));
   }
   /// Calls `handler` about 20 times a second of wall time, with now().
   void on_tick(std::function<void(SimTime)> handler) {
-    tick_handlers_.push_back(std::move(handler));
+    handlers_.tick.push_back(std::move(handler));
   }
   /// To be called about 20 times a second.
   void tick();
@@ -101,10 +103,14 @@ class VehicleSide {
   Heartbeat heartbeat_;
   std::string newest_text_;
   SimTime newest_text_at_;
-  std::map<std::uint32_t, std::vector<Handler>> handlers_;
-  std::vector<std::function<void(const Packet&)>> packet_handlers_;
-  std::vector<std::function<void(bool)>> connection_handlers_;
-  std::vector<std::function<void(SimTime)>> tick_handlers_;
+  /// Of plugins: whom what concerns.
+  struct Handlers {
+    std::map<std::uint32_t, std::vector<Handler>> by_type;
+    std::vector<std::function<void(const Packet&)>> packet;
+    std::vector<std::function<void(bool)>> connection;
+    std::vector<std::function<void(SimTime)>> tick;
+  };
+  Handlers handlers_;
   bridges::mavlink::HeartbeatMonitor monitor_;
   bridges::mavlink::TimesyncClient timesync_;
   bridges::mavlink::StatusTextReader texts_;

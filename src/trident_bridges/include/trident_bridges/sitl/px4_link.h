@@ -98,7 +98,7 @@ class Px4Link {
   bool has_answered() const { return has_answered_; }    ///< in this connection: it is in lockstep
   bool runs_free() const;  ///< sensors have been sent that were not waited on
   /// Simulated time of the newest HIL_SENSOR of this connection.
-  SimTime asked() const { return asked_; }
+  SimTime asked() const { return asked_.at; }
 
   const HilControls& controls() const { return controls_; }  ///< of the newest answer
   /// Answers to sensors other than the newest, which count for nothing.
@@ -118,13 +118,17 @@ class Px4Link {
   mavlink::PacketWriter writer_;
   bool is_connected_ = false, was_connected_ = false, is_given_up_ = false;
   bool has_answered_ = false;
-  bool is_asked_ = false;          ///< a HIL_SENSOR is without its answer
-  std::uint64_t asked_count_ = 0;  ///< in this connection
-  double asked_wall_s_ = 0.0;
-  SimTime asked_;
-  std::uint64_t first_us_ = 0, asked_us_ = 0;  ///< of HIL_SENSORs of this connection
-  std::int64_t shift_us_ = 0;                  ///< from simulated time to PX4's
-  std::uint64_t newest_us_ = 0;                ///< ever sent
+  /// HIL_SENSORs of this connection.
+  struct Asked {
+    bool is_open = false;     ///< the newest is without its answer
+    std::uint64_t count = 0;  ///< of them
+    double wall_s = 0.0;      ///< when the newest was sent
+    SimTime at;               ///< the same in simulated time
+    std::uint64_t first_us = 0, newest_us = 0;
+  };
+  Asked asked_;
+  std::int64_t shift_us_ = 0;    ///< from simulated time to PX4's
+  std::uint64_t newest_us_ = 0;  ///< ever sent
   HilControls controls_;
   std::uint64_t stale_answers_ = 0;
 };

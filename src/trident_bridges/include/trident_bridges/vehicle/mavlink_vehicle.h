@@ -84,9 +84,13 @@ class MavlinkVehicle {
   MissionServer missions_;
   ParameterServer parameters_;
   MessageStreams streams_;
-  HeartbeatMonitor heartbeats_;
   StatusTextWriter texts_;
-  StickReader sticks_;
+  /// What ground stations and pilots send without being asked.
+  struct Stations {
+    HeartbeatMonitor heartbeats;
+    StickReader sticks;
+  };
+  Stations stations_;
   VehicleReadings readings_;
   /// The last of each.
   struct Newest {

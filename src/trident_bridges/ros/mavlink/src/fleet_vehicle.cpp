@@ -63,7 +63,7 @@ void FleetVehicle::send(const mavlink::Message& message) {
 }
 
 void FleetVehicle::receive(const mavlink::Message& message, const std::string& from) {
-  const bool is_taken = vehicle_.handle(message, both(now_));
+  const bool is_taken = vehicle_.handle(message, both(times_.now));
   ports_->flush();
   if (!is_taken) return;
   if (was_commanded_ || !mavlink::changes_behavior(message)) return;
@@ -73,21 +73,21 @@ void FleetVehicle::receive(const mavlink::Message& message, const std::string& f
 }
 
 void FleetVehicle::update(SimTime now) {
-  now_ = std::max(now_, now);
-  vehicle_.update(both(now_));
+  times_.now = std::max(times_.now, now);
+  vehicle_.update(both(times_.now));
   ports_->flush();
 }
 
 /// A vehicle whose set-points have stamps gets one for the next multiple of the period as soon as
 /// it has passed one; any other gets an answer to each odometry.
 void FleetVehicle::on_moved(SimTime stamp) {
-  if (stamp < moved_) now_ = given_ = {};  // time was set back
-  moved_ = stamp;
-  now_ = std::max(now_, stamp);
+  if (stamp < times_.moved) times_.now = times_.given = {};  // time was set back
+  times_.moved = stamp;
+  times_.now = std::max(times_.now, stamp);
   const auto period_ns = SimTime::from_seconds(parts_.params.period_s).ns;
   const SimTime next{(stamp.ns / period_ns + 1) * period_ns};
-  if (output_->is_stamped() && next <= given_) return;
-  vehicle_.update(both(now_));
+  if (output_->is_stamped() && next <= times_.given) return;
+  vehicle_.update(both(times_.now));
   vehicle_.set_readings(sensors_->readings());
   setpoint_ = vehicle_.step(stamp, sensors_->state());
   publish(next);
@@ -95,7 +95,7 @@ void FleetVehicle::on_moved(SimTime stamp) {
 }
 
 void FleetVehicle::publish(SimTime stamp) {
-  given_ = stamp;
+  times_.given = stamp;
   output_->publish(setpoint_,
                    {sensors_->state(), stamp, sensors_->frame(), sensors_->T_world_frame()});
 }
@@ -103,15 +103,15 @@ void FleetVehicle::publish(SimTime stamp) {
 void FleetVehicle::begin_lockstep(SimTime start) {
   if (!output_->is_stamped()) return;
   is_lockstep_ = true;
-  if (given_ < start) publish(start);
+  if (times_.given < start) publish(start);
 }
 
 /// A world that began before it was heard stands still until the next set-point is there: at rest.
 void FleetVehicle::repeat() {
-  if (!is_lockstep_ || given_ <= moved_) return;
+  if (!is_lockstep_ || times_.given <= times_.moved) return;
   constexpr int kPatience = 20;
-  const bool was_missed = moved_.ns == 0 && ++silent_looks_ % kPatience == 0;
-  publish(was_missed ? given_ + SimTime::from_seconds(parts_.params.period_s) : given_);
+  const bool was_missed = times_.moved.ns == 0 && ++silent_looks_ % kPatience == 0;
+  publish(was_missed ? times_.given + SimTime::from_seconds(parts_.params.period_s) : times_.given);
 }
 
 }  // namespace trident::bridges

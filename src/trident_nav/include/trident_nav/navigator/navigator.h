@@ -144,8 +144,12 @@ class Navigator {
   Slow slow_;
   LastCommand last_command_;
   std::string cause_;
-  bool is_blocked_ = false;   // the next path replaces the one that touches something
-  bool is_rerouted_ = false;  // the next path replaces the one that the robot is stuck on
+  /// Why the next path replaces the present one, better or not.
+  struct Replaced {
+    bool is_blocked = false;   ///< It touches something.
+    bool is_rerouted = false;  ///< The robot is stuck on it.
+  };
+  Replaced replaced_;
 };
 
 }  // namespace trident::nav

@@ -104,7 +104,7 @@ class MoveBaseNode {
   std::atomic<bool> is_driving_{false};  // the last command was not zero
   /// The latest warnings.
   struct Warned {
-    std::string rivals;  ///< Of the command's topic; of global_thread_.
+    std::string rivals;  ///< Of the command's topic; of the global costmap's thread.
     double waiting_s = -1e9;
     double cycled_s = -1e9;  ///< The time of the last cycle.
   };
@@ -120,8 +120,12 @@ class MoveBaseNode {
   };
   Lockstep lockstep_;
   LoopWatch watch_;
-  std::atomic<bool> is_ending_{false};
-  std::thread global_thread_;
+  /// The global costmap's updates, outside of lockstep.
+  struct GlobalUpdates {
+    std::atomic<bool> is_ending{false};
+    std::thread thread;
+  };
+  GlobalUpdates global_updates_;
 };
 
 /// The program of the package move_base. `voxels`: of voxel_advertiser().

@@ -38,7 +38,7 @@ class PlanningThread : public NavigatorWorld {
   void set_plan_listener(std::function<void(const GridGeometry& geometry)> listener);
   /// From the next plan on; from any thread.
   void set_limits(const MotionLimits& limits);
-  void set_odometry_topic(const std::string& topic) { odom_topic_ = topic; }
+  void set_odometry_topic(const std::string& topic) { odometry_.topic = topic; }
 
   void request_plan(const Pose2& start, const Pose2& goal) override;
   std::optional<PlanOutcome> take_plan() override;
@@ -64,13 +64,16 @@ class PlanningThread : public NavigatorWorld {
     Pose2 in_global, in_local;
   };
   Robot robot_;
-  std::string odom_topic_;
   bool plans_at_once_ = false;
 
-  std::mutex planner_mutex_;  // guards planner_, limits_, on_plan_ and avoided_
-  std::function<void(const GridGeometry& geometry)> on_plan_;
-  MotionLimits limits_;
-  AvoidedPlaces avoided_;
+  std::mutex planner_mutex_;  // guards planner_ and planning_
+  /// What a plan is made with.
+  struct Planning {
+    MotionLimits limits;
+    std::function<void(const GridGeometry& geometry)> on_plan;
+    AvoidedPlaces avoided;
+  };
+  Planning planning_;
   CancelFlag cancel_{false};
   std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
@@ -81,7 +84,11 @@ class PlanningThread : public NavigatorWorld {
     bool is_last = false;  ///< The thread ends.
   };
   Order order_;
-  SourceAge odometry_;
+  struct Odometry {
+    std::string topic;
+    SourceAge age;
+  };
+  Odometry odometry_;
   std::thread thread_;
 };
 

@@ -69,9 +69,12 @@ class FleetVehicle {
   std::size_t router_number_ = 0;
   mavlink::MavlinkVehicle vehicle_;
   Setpoint setpoint_;
-  SimTime now_;               // the newest time that it has heard of
-  SimTime moved_;             // of the newest odometry
-  SimTime given_;             // stamp of the newest set-point
+  struct Times {
+    SimTime now;    // the newest that it has heard of
+    SimTime moved;  // of the newest odometry
+    SimTime given;  // stamp of the newest set-point
+  };
+  Times times_;
   bool is_lockstep_ = false;  // the world waits
   int silent_looks_ = 0;      // of repeat(), before there was any odometry
   bool was_commanded_ = false;
