@@ -135,3 +135,14 @@ def test_a_robot_without_odometry_is_shown_in_its_own_frame(tmp_path: Path) -> N
     picture = imread(target)[..., :3]
     red = (picture[..., 0] > 0.6) & (picture[..., 1:].max(axis=-1) < 0.3)
     assert red.mean() > 0.002, "what its lidar sees"
+
+
+def test_a_world_that_is_none_is_refused_with_its_line(tmp_path: Path) -> None:
+    world = tmp_path / "noise.world"
+    world.write_bytes(bytes(range(1, 200)))
+    picture = tmp_path / "picture.png"
+    command = [REPO / "trident", "view", world, "--screenshot", picture]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert f"{world}:1: not well-formed XML" in done.stderr
+    assert not picture.exists()

@@ -37,6 +37,15 @@ TEST(ShownText, NoCharacterIsCut) {
   EXPECT_EQ(shown.substr(197), "\xC3\xA4...");
 }
 
+TEST(ShownText, WhatIsNoTextIsEscaped) {
+  using std::string_literals::operator""s;
+  EXPECT_EQ(with_short_words("f:1: '\x1b[2J\0\x7f\r' is bad\n\t"s),
+            "f:1: '\\x1b[2J\\x00\\x7f\\x0d' is bad\n\t");
+  EXPECT_EQ(with_short_words("\xC3\xA4 \xE2\x82\xAC \xF0\x9F\x9A\x80"),
+            "\xC3\xA4 \xE2\x82\xAC \xF0\x9F\x9A\x80");
+  EXPECT_EQ(with_short_words("\xA4 \xC0\xAF \xE2\x82 \xFF"), "\\xa4 \\xc0\\xaf \\xe2\\x82 \\xff");
+}
+
 TEST(ShownText, AnUnknownNameOfAnySizeIsAnsweredAtOnce) {
   const std::string name(1 << 20, 'f');
   const std::string text = unknown_name_text(name, {"force", "mass"});

@@ -21,7 +21,7 @@ from trident_tool.launch.launch_feed import (
     nodes_of,
     wait_for_param,
 )
-from trident_tool.launch.launch_plan import load_plan
+from trident_tool.launch.launch_plan import check_plan, load_plan
 from trident_tool.launch.launchfile import (
     check_args,
     declared_args,
@@ -220,10 +220,17 @@ def view(workspace: Workspace, runner: Runner, options: ViewOptions) -> int:
     if runner.dry_run:
         return _show_commands(runner, options, feed, command)
     env.setdefault("ROS_HOSTNAME", "localhost")
-    if is_launch_file(feed):
-        args = dict(word.split(":=", 1) for word in feed[3:])
-        check_formations(load_plan(Path(feed[2]), args, env), env)
+    if feed and feed[0] == "roslaunch":
+        _check_launch(workspace, feed, view_environment(env))
     return _show(workspace, runner, options, feed, command, env)
+
+
+def _check_launch(workspace: Workspace, feed: Sequence[str], env: Mapping[str, str]) -> None:
+    """Refuses what the simulator would refuse, whose own words nobody sees."""
+    request = parse_request([word for word in feed[1:] if not word.startswith("--")])
+    plan = load_plan(find_launch_file(workspace, request, env), request.args, env)
+    check_formations(plan, env)
+    check_plan(plan, env)
 
 
 def _show_commands(

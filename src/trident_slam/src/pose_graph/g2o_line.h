@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "trident_base/error.h"
+#include "trident_base/shown_text.h"
 #include "trident_base/string_util.h"
 
 namespace trident::slam {
@@ -54,7 +55,8 @@ class G2oLine {
   }
   [[noreturn]] void fail(std::string_view field, std::string_view value,
                          const std::string& wanted) const {
-    const std::string shown = value.empty() ? "missing" : "'" + std::string(value) + "'";
+    const std::string shown =
+        value.empty() ? "missing" : "'" + with_short_words(std::string(value)) + "'";
     throw Error(where() + ": " + std::string(field) + " is " + shown + ", but must be " + wanted);
   }
   std::string where() const { return file_ + ":" + std::to_string(number_); }
