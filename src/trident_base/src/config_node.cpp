@@ -16,6 +16,7 @@
 namespace trident {
 namespace {
 
+/// Of a value in an error text.
 constexpr std::size_t kMaxShownBytes = 60;
 constexpr off_t kLargestFile = off_t{1} << 26;
 
@@ -59,6 +60,7 @@ ConfigError::ConfigError(std::string file, int line, std::string key, const std:
       line_(line),
       key_(std::move(key)) {}
 
+/// Linear: maps have few keys, and keep them in the order of the file for errors.
 const ConfigNode* ConfigNode::find(std::string_view key) const {
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (keys[i] == key) return &items[i];
@@ -83,6 +85,7 @@ std::string ConfigNode::describe() const {
 
 std::string read_config_file(const std::string& path) {
   refuse_device_and_large_file(path);
+  // Streams do not say why they fail; errno does where a system call has failed.
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;

@@ -51,12 +51,14 @@ struct ParsedDouble {
   double value;
 };
 
+/// Numbers are read by std::from_chars, which knows no locale: "0,5" is never a number.
 ParsedDouble parse_double(std::string_view text) {
   const bool is_negative = take_sign(text);
   text = without_dot(text);
   double value = 0.0;
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
+  // The sign is off by now, and from_chars would take a second one, as in "+-1".
   const bool is_number = !starts_with(text, "-") && !text.empty() && result.ptr == end &&
                          result.ec != std::errc::invalid_argument;
   return {is_number, result.ec != std::errc::result_out_of_range, is_negative ? -value : value};
@@ -118,6 +120,7 @@ void fail_range(const ValueContext& context, const ConfigNode& node, const std::
 }
 
 bool read_bool(const ValueContext& context, const ConfigNode& node, const std::string& path) {
+  // The core schema of YAML 1.2; yes, no, on and off of YAML 1.1 are text.
   constexpr std::array<std::string_view, 3> kTrue = {"true", "True", "TRUE"};
   constexpr std::array<std::string_view, 3> kFalse = {"false", "False", "FALSE"};
   if (is_plain_scalar(node) && is_one_of(node.scalar, kTrue)) return true;
@@ -126,6 +129,7 @@ bool read_bool(const ValueContext& context, const ConfigNode& node, const std::s
 }
 
 double read_double(const ValueContext& context, const ConfigNode& node, const std::string& path) {
+  // The type is judged before the range: "1e400" is a number, but none that a double holds.
   const ParsedDouble parsed = parse_double(node.scalar);
   if (!is_plain_scalar(node) || !parsed.is_number) {
     fail_type(context, node, path, number_expected(context));
@@ -187,6 +191,7 @@ WholeNumber read_whole_number(const ValueContext& context, const ConfigNode& nod
   return number;
 }
 
+/// A field's description ends with its unit in brackets, as "speed of the motor [rad/s]".
 std::string unit_of(const char* doc) {
   const std::string_view text(doc);
   const std::size_t open = text.rfind('[');
@@ -205,11 +210,13 @@ ConfigReader::ConfigReader(const ConfigNode& node, const std::string& file, std:
 }
 
 const ConfigNode* ConfigReader::take(const char* name) {
+  // Every name that is asked for is a legal key; finish() refuses the others.
   known_.emplace_back(name);
   return node_.find(name);
 }
 
 void ConfigReader::note_required(const char* name, const char* doc, const std::string& legal) {
+  // Missing keys are collected, since an unknown key is the better error; see finish().
   if (node_.find(name) != nullptr) return;
   std::string problem = "missing required key";
   if (*doc != '\0') problem += std::string(" (") + doc + ')';

@@ -11,6 +11,7 @@
 namespace trident {
 namespace {
 
+/// Channels of an IMU's stream, six for each triad: white noise of x, y, z, then the biases.
 constexpr std::uint32_t kAxes = 3;
 constexpr std::uint32_t kWhiteChannel = 0;
 constexpr std::uint32_t kBiasChannel = kAxes;
@@ -46,6 +47,8 @@ double GaussianNoise::sample(const RandomStream& stream, std::uint64_t index,
   return stddev == 0.0 ? mean : mean + stddev * stream.normal(index, channel);
 }
 
+/// A density [unit/sqrt(Hz)] that is sampled at 1 /
+/// dt has the standard deviation density / sqrt(dt).
 double WhiteNoise::sample(const RandomStream& stream, std::uint64_t index, std::uint32_t channel,
                           double dt) const {
   return density == 0.0 ? 0.0 : density / std::sqrt(dt) * stream.normal(index, channel);
@@ -88,12 +91,16 @@ GaussMarkov::GaussMarkov(const GaussMarkovParams& params, double dt, std::uint32
 }
 
 double GaussMarkov::sample(const RandomStream& stream, std::uint64_t index) {
+  // The bias is a chain. An earlier index than the last one begins it again; indices that were left
+  // out are worked through, so that a sample depends on its index alone.
   if (index + 1 < next_index_) reset();
   if (next_index_ == 0 && turn_on_stddev_ > 0.0) {
     turn_on_ = turn_on_stddev_ * stream.normal(0, channel_ + kTurnOnChannelOffset);
   }
+  // A constant bias needs no chain.
   if (step_stddev_ == 0.0) next_index_ = index + 1;
   for (; next_index_ <= index; ++next_index_) {
+    // The exact discretization of a first-order Gauss-Markov process, for any step.
     bias_ = decay_ * bias_ + step_stddev_ * stream.normal(next_index_, channel_);
   }
   return turn_on_ + bias_;

@@ -42,6 +42,7 @@ struct PngReader {
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
+  // libpng expects its error handler not to return.
   static void keep_error(png_structp png, png_const_charp text) {
     static_cast<PngReader*>(png_get_error_ptr(png))->error = text;
     png_longjmp(png, 1);
@@ -86,6 +87,7 @@ PixelImage image_of(const PngReader& reader, long width, long height) {
   image.samples.resize(static_cast<std::size_t>(width * height * image.channels));
   const png_byte* bytes = reader.bytes.data();
   for (std::size_t i = 0; i < image.samples.size(); ++i) {
+    // PNG has samples of two bytes with the high byte first.
     image.samples[i] = is_wide ? static_cast<std::uint16_t>(256 * bytes[2 * i] + bytes[2 * i + 1])
                                : std::uint16_t{bytes[i]};
   }
@@ -100,6 +102,8 @@ PixelImage read_png(const std::string& path, const PixelImageLimits& limits) {
   if (reader.info == nullptr || !read_header(reader)) refuse(path, "is a bad PNG: " + reader.error);
   const auto width = static_cast<long>(png_get_image_width(reader.png, reader.info));
   const auto height = static_cast<long>(png_get_image_height(reader.png, reader.info));
+  // The size is checked before rows are read: a small
+  // file may claim a picture that fills the memory.
   check_size(path, width, height, limits);
   const std::size_t stride = png_get_rowbytes(reader.png, reader.info);
   reader.bytes.resize(stride * static_cast<std::size_t>(height));
@@ -143,6 +147,7 @@ void read_plain(const std::string& path, std::istream& in, PixelImage& image) {
 
 void read_binary(const std::string& path, std::istream& in, PixelImage& image) {
   in.get();  // the one white space that ends the header
+  // Netpbm's rule: two bytes, the high one first, where the white value does not fit into one.
   const std::size_t bytes_each = image.white > 255 ? 2 : 1;
   const std::size_t columns = static_cast<std::size_t>(image.width);
   std::vector<char> row(columns * bytes_each);
@@ -210,6 +215,7 @@ PixelImage read_pixel_image(const std::string& path, const PixelImageLimits& lim
   }
   in.read(magic.data(), magic.size());
   const std::string begin(magic.data(), static_cast<std::size_t>(in.gcount()));
+  // The content decides and not the name's ending.
   if (begin == "P2" || begin == "P5") return read_pgm(path, in, begin == "P5", limits);
   if (begin == "\x89P") return read_png(path, limits);
   refuse(path, "is neither a PNG nor a PGM (P2, P5)");

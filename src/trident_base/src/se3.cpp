@@ -28,6 +28,7 @@ SE3::Adjoint SE3::adjoint() const {
 }
 
 Eigen::Vector3d SE3::rpy() const {
+  // At a pitch of +-90 degrees only yaw -+ roll is defined: all of it is given to roll.
   constexpr double kGimbalLock = 1e-12;
   const Eigen::Matrix3d m = R.toRotationMatrix();
   const double cos_pitch = std::hypot(m(0, 0), m(1, 0));

@@ -42,6 +42,7 @@ void Sha256::update(const void* data, std::size_t size) {
 }
 
 void Sha256::update_double(double value) {
+  // Bits are hashed and not values, lowest byte first on every machine: 0 and -0 differ.
   std::uint64_t bits = 0;
   static_assert(sizeof bits == sizeof value);
   std::memcpy(&bits, &value, sizeof bits);
@@ -74,6 +75,7 @@ std::array<std::uint8_t, 32> Sha256::digest_and_reset() {
   std::array<std::uint8_t, 32> digest;
   unsigned int size = 0;
   check(EVP_DigestFinal_ex(context_->evp.get(), digest.data(), &size));
+  // A null type keeps the algorithm that the context has.
   check(EVP_DigestInit_ex(context_->evp.get(), nullptr, nullptr));
   return digest;
 }

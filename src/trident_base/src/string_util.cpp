@@ -39,6 +39,7 @@ std::string join(const std::vector<std::string>& parts, std::string_view separat
 
 std::string number_text(double value) {
   if (std::isnan(value)) return "nan";
+  // The shortest decimal number that is read back as the same double has at most 24 characters.
   std::array<char, 32> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   return {buffer.data(), end};
@@ -63,6 +64,7 @@ bool ends_in_swap(const std::string& s, std::size_t i, const std::string& t, std
 
 }  // namespace
 
+/// Optimal string alignment: insertions, deletions, replacements and swaps of neighbors count one.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   const std::string s = lower_case(a);
   const std::string t = lower_case(b);
@@ -76,6 +78,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     for (std::size_t j = 1; j <= t.size(); ++j) {
       const std::size_t replaced = previous[j - 1] + (s[i - 1] == t[j - 1] ? 0 : 1);
       row[j] = std::min({previous[j] + 1, row[j - 1] + 1, replaced});
+      // A swap is one slip of the fingers, though two replacements.
       if (ends_in_swap(s, i, t, j)) row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }

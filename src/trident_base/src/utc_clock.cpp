@@ -41,6 +41,7 @@ constexpr std::array<CivilDate, 18> kLeapDays{{{1981, 7, 1},
 std::array<std::int64_t, kLeapDays.size()> make_leap_starts() {
   std::array<std::int64_t, kLeapDays.size()> starts{};
   for (std::size_t i = 0; i < starts.size(); ++i) {
+    // GPS time counts leap seconds as any others, so that i earlier ones are added.
     const std::int64_t days = days_from_civil(kLeapDays[i]) - kGpsEpochDays;
     starts[i] = days * kSecondsPerDay + static_cast<std::int64_t>(i);
   }
@@ -52,6 +53,7 @@ const std::array<std::int64_t, kLeapDays.size()>& leap_starts() {
   return starts;
 }
 
+/// C++ rounds towards zero; days and weeks before an epoch need the floor.
 std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
 int month_days(int year, int month) {
@@ -105,6 +107,9 @@ bool is_valid(const CivilDate& date) {
 }
 
 std::int64_t days_from_civil(const CivilDate& date) {
+  // Years begin in March, so that a leap day is the last of its year and the lengths of months
+  // repeat every five: (153 m + 2) / 5 days before month m. An era of 400 years has 146,097 days;
+  // the epoch of 1970 is 719,468 days after 0000-03-01.
   const std::int64_t year = date.year - (date.month <= 2 ? 1 : 0);
   const std::int64_t era = floor_div(year, 400);
   const std::int64_t year_of_era = year - era * 400;
@@ -116,6 +121,8 @@ std::int64_t days_from_civil(const CivilDate& date) {
 }
 
 CivilDate civil_from_days(std::int64_t days) {
+  // days_from_civil() backwards. The quotients take the leap
+  // days of 4, 100 and 400 years out of a day of the era.
   const std::int64_t shifted = days + 719'468;
   const std::int64_t era = floor_div(shifted, 146'097);
   const std::int64_t day_of_era = shifted - era * 146'097;
@@ -136,6 +143,7 @@ int leap_seconds_at(std::int64_t gps_ns) {
 }
 
 std::int64_t gps_ns_of(const UtcTime& utc) {
+  // A leap second is inserted before the listed day begins, so that all of that day is after it.
   const auto is_over = [&](const CivilDate& day) {
     return days_from_civil(day) <= days_from_civil(utc.date);
   };

@@ -44,11 +44,14 @@ class WorkerPool::Crew {
     std::exception_ptr failure{};
 
     void help(std::size_t worker) {
+      // The next free part is taken, not a share fixed ahead: parts differ in their work.
       for (std::size_t part = next++; part < parts; part = next++) {
         try {
           work(part, worker);
         } catch (...) {
           const std::lock_guard<std::mutex> lock(failure_mutex);
+          // The exception of the lowest part is rethrown,
+          // whichever thread was first: errors repeat.
           if (part >= failed_part) continue;
           failed_part = part;
           failure = std::current_exception();
@@ -72,6 +75,7 @@ class WorkerPool::Crew {
   Crew& operator=(const Crew&) = delete;
 
   void run(Job& job) {
+    // The calling thread works, too, as worker 0.
     const std::size_t helpers = std::min(threads_.size(), job.parts - 1);
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -84,6 +88,7 @@ class WorkerPool::Crew {
     wanted_ = 0;  // who has not woken by now need not
     job_ = nullptr;
     lock.unlock();
+    // The job is on the caller's stack: nobody may touch it after this returns.
     spin_until([this] { return busy_ == 0; });
     lock.lock();
     done_.wait(lock, [this] { return busy_ == 0; });

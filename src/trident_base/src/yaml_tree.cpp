@@ -14,6 +14,7 @@
 namespace trident {
 namespace {
 
+// Bounds what nested aliases expand to: a file of a kilobyte may hold a billion values.
 constexpr std::size_t kMaxNodes = 1'000'000;
 
 // The tag of a plain value is "?", of a quoted one "!".
@@ -46,6 +47,7 @@ class TreeBuilder : public YAML::EventHandler {
     const auto it = anchors_.find(anchor);
     if (it == anchors_.end()) fail(mark.line + 1, "an alias inside the value it stands for");
     count(count_nodes(it->second), mark.line + 1);
+    // The value is copied, so that readers need not know of aliases.
     add(it->second, YAML::NullAnchor);
   }
 
@@ -53,6 +55,7 @@ class TreeBuilder : public YAML::EventHandler {
                 const std::string& value) override {
     ConfigNode node = node_at(mark, ConfigNode::Kind::kScalar);
     node.scalar = value;
+    // Quotes, or the tag !!str, make text of what would be a number or a bool.
     node.quoted = tag == "!" || tag == "tag:yaml.org,2002:str";
     if (!node.quoted) check_tag(tag, node.line);
     add(std::move(node), anchor);
@@ -123,6 +126,8 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void add(ConfigNode node, YAML::anchor_t anchor) {
+    // Complete values only are kept by their anchors,
+    // hence an alias within its own value is an error.
     if (anchor != YAML::NullAnchor) anchors_[anchor] = node;
     if (open_.empty()) {
       root_ = std::move(node);
@@ -140,6 +145,7 @@ class TreeBuilder : public YAML::EventHandler {
     const auto same = std::find(map->keys.begin(), map->keys.end(), key.scalar);
     const bool is_duplicate = same != map->keys.end();
     const auto index = static_cast<std::size_t>(same - map->keys.begin());
+    // The key is there before the error, so that the error's path ends in it.
     map->keys.push_back(key.scalar);
     map->key_lines.push_back(key.line);
     if (is_duplicate) {
@@ -169,6 +175,7 @@ ConfigNode parse_yaml(const std::string& text, const std::string& file_label) {
     throw ConfigError(file_label, error.mark.line + 1, "", "malformed YAML: " + error.msg);
   }
   ConfigNode root = builder.take_root();
+  // An empty file is a map without keys: all its values have their defaults.
   if (root.kind == ConfigNode::Kind::kNull) {
     root.kind = ConfigNode::Kind::kMap;
     root.line = 1;

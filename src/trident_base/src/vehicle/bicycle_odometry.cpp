@@ -31,6 +31,9 @@ Eigen::Vector2d AckermannGeometry::wheel_angles(double steering_rad) const {
   return {std::atan2(s, c - aside), std::atan2(s, c + aside)};
 }
 
+// Each wheel alone gives the bicycle's angle by Ackermann's condition, cot(left) = cot(steering) -
+// track / (2 wheelbase) and with the other sign on the right; measured angles differ, so that the
+// mean of both tangents is taken.
 double AckermannGeometry::steering_of(double left_rad, double right_rad) const {
   const double half = 0.5 * front_track_m / wheelbase_m;
   const double by_left = std::tan(left_rad) / (1.0 + half * std::tan(left_rad));
@@ -43,6 +46,7 @@ double AckermannGeometry::steering_of_inner(double inner_rad) const {
   return std::atan2(std::sin(inner_rad), std::cos(inner_rad) + half * std::sin(inner_rad));
 }
 
+// Rear wheels roll on circles about the turning point, by half the track nearer and farther.
 Eigen::Vector2d AckermannGeometry::rear_speeds(double speed, double steering_rad) const {
   const double part = 0.5 * rear_track_m / wheelbase_m * std::tan(steering_rad);
   return {speed * (1.0 - part), speed * (1.0 + part)};
@@ -62,6 +66,7 @@ BicycleOdometry::BicycleOdometry(const BicycleOdometryParams& params) : params_(
 
 void BicycleOdometry::update(double rear_rad, double steering_rad) {
   const double travel = params_.wheel_radius_m * rear_rad;
+  // The bicycle model: the yaw rate is v tan(steering) / wheelbase.
   const double turn = travel * std::tan(steering_rad) / params_.wheelbase_m;
   // The same arc as that of two wheels 1 m apart.
   const WheelArc arc(travel - 0.5 * turn, travel + 0.5 * turn, 1.0);
@@ -69,9 +74,11 @@ void BicycleOdometry::update(double rear_rad, double steering_rad) {
     const double yaw = T_odom_axle_.angle;
     const Eigen::Matrix3d by_pose = arc.jacobian_pose(yaw);
     const Eigen::Matrix<double, 3, 2> by_wheels = arc.jacobian_travel(yaw);
+    // Chain rule: left = travel - turn / 2, right = travel + turn / 2.
     Eigen::Matrix<double, 3, 2> by_motion;
     by_motion.col(0) = by_wheels.col(0) + by_wheels.col(1);
     by_motion.col(1) = 0.5 * (by_wheels.col(1) - by_wheels.col(0));
+    // Variances grow with the path's length, whichever direction it is driven in.
     const Eigen::Vector2d variance =
         std::abs(travel) * Eigen::Vector2d(params_.travel_variance_m, params_.turn_variance_rad2_m);
     covariance_ = by_pose * covariance_ * by_pose.transpose() +

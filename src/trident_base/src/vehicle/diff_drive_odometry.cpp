@@ -22,6 +22,7 @@ void check(bool ok, const char* field, double value, const char* legal) {
 
 /// sin(x) / x.
 double sinc(double x) { return std::abs(x) < kSmall_rad ? 1.0 - x * x / 6.0 : std::sin(x) / x; }
+/// Of sinc(x); the series is -x / 3 + x^3 / 30 - ...
 double sinc_derivative(double x) {
   if (std::abs(x) < kSmall_rad) return -x / 3.0 + x * x * x / 30.0;
   return (x * std::cos(x) - std::sin(x)) / (x * x);
@@ -45,6 +46,7 @@ WheelArc::WheelArc(double left_m, double right_m, double separation_m)
 }
 
 SE2 WheelArc::applied_to(const SE2& T_odom_base) const {
+  // The chord of an arc points to the mean of the headings at its ends.
   const double along = T_odom_base.angle + 0.5 * turn_rad;
   SE2 result;
   result.p = T_odom_base.p + chord_m * Eigen::Vector2d(std::cos(along), std::sin(along));
@@ -66,6 +68,7 @@ Eigen::Matrix<double, 3, 2> WheelArc::jacobian_travel(double yaw_before) const {
   const Eigen::Vector2d aside(-ahead.y(), ahead.x());
   Eigen::Matrix<double, 3, 2> result;
   for (int wheel = 0; wheel < 2; ++wheel) {
+    // Product rule: a wheel's travel changes the chord's length and, by the turn, its direction.
     const double turn_by_travel = (wheel == 0 ? -1.0 : 1.0) / separation_m_;
     const double half = 0.5 * turn_by_travel;
     const double chord_by_travel = 0.5 * sinc_ + length_m_ * sinc_by_half_turn_ * half;
@@ -87,6 +90,7 @@ void DiffDriveOdometry::update(double left_rad, double right_rad) {
     const double yaw = T_odom_base_.angle;
     const Eigen::Matrix3d by_pose = arc.jacobian_pose(yaw);
     const Eigen::Matrix<double, 3, 2> by_travel = arc.jacobian_travel(yaw);
+    // Errors of the wheels are independent, with a variance that grows with the travel of each.
     const Eigen::Vector2d travel =
         params_.travel_variance_m * Eigen::Vector2d(std::abs(left), std::abs(right));
     covariance_ = by_pose * covariance_ * by_pose.transpose() +

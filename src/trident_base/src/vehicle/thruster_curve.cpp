@@ -11,6 +11,8 @@
 namespace trident {
 namespace {
 
+/// Generalized logistic function between the asymptotes
+/// A and K; thrust in [N] of a command in [-1, 1].
 struct Glf {
   double A, K, B, nu, C, M;
   double operator()(double x) const {
@@ -22,6 +24,7 @@ struct Glf {
   }
 };
 
+/// VRX' branches ahead and astern do not join at zero, hence the dead band between them.
 constexpr Glf kForward{0.01, 59.82, 5.0, 0.38, 0.56, 0.28};
 constexpr Glf kReverse{-199.13, -0.09, 8.84, 5.34, 0.99, -0.57};
 /// VRX' curve gives nothing up to here; the first command beyond.
@@ -142,12 +145,14 @@ double thrust_at(const ThrusterParams& params, double state) {
       thrust = interpolated(params.table_commands, params.table_forces, state);
       break;
   }
+  // Curves are measured with a certain propeller; the limits are this thruster's.
   return std::clamp(thrust, -params.max_force_reverse, params.max_force_forward);
 }
 
 double command_for(const ThrusterParams& params, double thrust_n) {
   const double least = params.min_command < 0.0 ? thrust_at(params, params.min_command) : 0.0;
   const double most = thrust_at(params, params.max_command);
+  // A curve that has no thrust of this sign is asked for zero.
   const double wanted = std::clamp(thrust_n, std::min(least, 0.0), std::max(most, 0.0));
   const double state =
       std::clamp(state_for(params, wanted), params.min_command, params.max_command);
