@@ -55,6 +55,7 @@ class LeeYaml {
     }
   }
 
+  // RotorS gives one triangle of the symmetric matrix.
   void inertia(const YAML::Node& node) {
     for (const auto& entry : node) {
       const std::string name = entry.first.as<std::string>();
@@ -69,6 +70,7 @@ class LeeYaml {
     }
   }
 
+  // A map from the rotor's number to its parameters, as RotorS writes it.
   void rotors(const YAML::Node& node) {
     params_.vehicle.rotors.assign(node.size(), {});
     for (const auto& entry : node) {
@@ -131,6 +133,7 @@ class LeeYaml {
 
 LeeParams load_lee_params(const std::vector<std::string>& files) {
   LeeParams params;
+  // RotorS keeps vehicle and gains in two files; a later file overrides an earlier one.
   for (const std::string& file : files) LeeYaml(file, params).read();
   return params;
 }

@@ -37,6 +37,7 @@ class LeePlugin : public sim::Plugin {
       context.params.refuse("odometryTopic", odometry_name_,
                             "the topic of an odometry plugin before it");
     }
+    // The odometry plugin computes samples only while somebody listens.
     odometry_->add_listener();
     command_ = {
         board, board.subscribe<sim::ActuatorCommand>(topic("commandTopic", "command/motor_speed"))};
@@ -52,6 +53,8 @@ class LeePlugin : public sim::Plugin {
   }
 
   std::vector<sim::Phase> phases() const override {
+    // With direct timing the state of a step is answered as the step ends; with that of RotorS in
+    // the next step, after the sensors.
     return {direct_ ? sim::Phase::kPost : sim::Phase::kControl};
   }
   void pre_step(sim::Phase, sim::World&, const sim::StepInfo&) override { update(); }
@@ -70,6 +73,7 @@ class LeePlugin : public sim::Plugin {
 
  private:
   void update() {
+    // Set-points come first, so that one of this step is in effect for the state of this step.
     trajectory_seen_ = std::max(trajectory_seen_, trajectory_->oldest());
     for (; trajectory_seen_ < trajectory_->count(); ++trajectory_seen_) {
       const TrajectorySample& sample = trajectory_->at(trajectory_seen_);

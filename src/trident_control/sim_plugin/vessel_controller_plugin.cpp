@@ -42,6 +42,7 @@ class Inbox {
 
   template <class Handler>
   void take(const Handler& handler) {
+    // The port keeps the newest values only; what it has dropped is skipped.
     for (seen_ = std::max(seen_, port_->oldest()); seen_ < port_->count(); ++seen_) {
       handler(topic_, port_->at(seen_));
     }
@@ -109,6 +110,8 @@ class VesselControllerPlugin : public sim::Plugin {
     }
     const std::string topic =
         join_namespace(ns, context.params.text("commandTopic", "command/motor_speed"));
+    // Subscribing would make the port, so that a misspelled
+    // topic would command nobody without an error.
     if (board.find_in<sim::ActuatorCommand>(topic) == nullptr) {
       context.params.refuse("commandTopic", topic,
                             "the <commandTopic> of a vessel's plugin before it");
@@ -178,6 +181,7 @@ class VesselControllerPlugin : public sim::Plugin {
   }
 
   void update() {
+    // Commands come first, so that one of this step is in effect for the state of this step.
     take_commands();
     if (odometry_.port->count() == odometry_.seen) return;
     odometry_.seen = odometry_.port->count();

@@ -14,6 +14,8 @@
 namespace trident::control {
 namespace {
 
+/// One matrix takes angular acceleration [rad/s^2] and thrust [N] to squared rotor speeds
+/// [rad^2/s^2]: the inertia makes moments of accelerations, the inverse allocation shares them out.
 AllocationInverse accelerations_to_squared_speeds(const VehicleParams& vehicle) {
   Eigen::Matrix4d to_wrench = Eigen::Matrix4d::Identity();
   to_wrench.topLeftCorner<3, 3>() = vehicle.inertia;
@@ -57,6 +59,7 @@ AttitudeLaw::AttitudeLaw(const VehicleParams& vehicle, const AttitudeGains& gain
 void AttitudeLaw::compute(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& w_B,
                           const Eigen::Matrix3d& R_WD, double yaw_rate, double thrust,
                           Span<double> rotor_speeds) const {
+  // Attitude error, equation 10.
   const Eigen::Matrix3d R_DB = R_WD.transpose() * R_WB;
   // vee(R_DB - R_DB')/2, and R_DB e3 (or R_BD e3) times the yaw rate.
   const Eigen::Vector3d e_R =
@@ -65,6 +68,7 @@ void AttitudeLaw::compute(const Eigen::Matrix3d& R_WB, const Eigen::Vector3d& w_
   const Eigen::Vector3d yaw_axis = quirks_.rotate_yaw_rate_with_RdT_R
                                        ? Eigen::Vector3d(R_DB.col(2))
                                        : Eigen::Vector3d(R_DB.row(2).transpose());
+  // Rate error, equation 11, for a wanted rate about the desired body's z axis alone.
   const Eigen::Vector3d e_w = w_B - yaw_axis * yaw_rate;
   allocate(w_B, -e_R.cwiseProduct(attitude_gain_) - e_w.cwiseProduct(angular_rate_gain_), thrust,
            rotor_speeds);
@@ -79,6 +83,7 @@ void AttitudeLaw::compute_rates(const Eigen::Vector3d& w_B, const Eigen::Vector3
 void AttitudeLaw::allocate(const Eigen::Vector3d& w_B, const Eigen::Vector3d& wanted, double thrust,
                            Span<double> rotor_speeds) const {
   Eigen::Vector3d acceleration = wanted;
+  // The gyroscopic term of equation 16; RotorS leaves it out.
   if (!quirks_.omit_gyroscopic_term) {
     acceleration += inertia_inverse_ * w_B.cross(inertia_ * w_B);
   }
@@ -90,6 +95,7 @@ void AttitudeLaw::allocate(const Eigen::Vector3d& w_B, const Eigen::Vector3d& wa
                            to_squared_speeds_(row, 1) * acceleration.y() +
                            to_squared_speeds_(row, 2) * acceleration.z() +
                            to_squared_speeds_(row, 3) * thrust;
+    // A rotor cannot reverse its thrust, so that a negative square means that it stands.
     rotor_speeds[i] = std::min(std::sqrt(std::max(squared, 0.0)), upper);
   }
 }

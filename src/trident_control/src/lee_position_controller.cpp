@@ -17,16 +17,20 @@ constexpr double kMinLength = 1e-9;
 // Columns b1d, b2d, b3d of the desired attitude; a_W is minus the wanted specific force.
 Eigen::Matrix3d desired_attitude(const Eigen::Vector3d& a_W, double yaw,
                                  const Eigen::Matrix3d& R_WB) {
+  // In free fall no direction of thrust is wanted, and the present one is kept.
   const double length = a_W.norm();
   const Eigen::Vector3d b3 =
       length > kMinLength ? Eigen::Vector3d(a_W / -length) : Eigen::Vector3d(R_WB.col(2));
   const Eigen::Vector3d heading(std::cos(yaw), std::sin(yaw), 0.0);
   Eigen::Vector3d b2 = b3.cross(heading);
   double b2_length = b2.norm();
+  // Thrust along the heading leaves yaw undefined: the present
+  // left axis is kept as far as it is perpendicular to the thrust.
   if (b2_length < kMinLength) {
     b2 = R_WB.col(1) - b3 * b3.dot(R_WB.col(1));
     b2_length = b2.norm();
   }
+  // The left axis is parallel to the thrust, too; the forward axis cannot be.
   if (b2_length < kMinLength) {
     b2 = b3.cross(R_WB.col(0));
     b2_length = b2.norm();
@@ -66,12 +70,14 @@ ControlStatus LeePositionController::compute(const OdometryState& state,
     compute_part(R_WB, state.w_body, reference, rotor_speeds);
     return ControlStatus::ok;
   }
+  // Position loop: errors and feed-forward acceleration in the world frame, z up.
   const Eigen::Vector3d e_p = state.p_world_body - reference.p_world;
   const Eigen::Vector3d e_v = R_WB * state.v_body - reference.v_world;
   Eigen::Vector3d a_W =
       position_gain_.cwiseProduct(e_p) + velocity_gain_.cwiseProduct(e_v) - reference.a_world;
   a_W.z() -= gravity_;
 
+  // Equation 15: the wanted force is projected on the present thrust axis.
   const double thrust = -mass_ * a_W.dot(R_WB.col(2));
   attitude_law_.compute(R_WB, state.w_body, desired_attitude(a_W, reference.yaw, R_WB),
                         reference.yaw_rate, thrust, rotor_speeds);

@@ -9,6 +9,7 @@
 namespace trident::control {
 namespace {
 
+/// Points for which there is memory from the start: usual trajectories allocate nothing in flight.
 constexpr std::size_t kReserved = 256;
 
 SetpointResult check(Span<const TimedSetpoint> points) {
@@ -31,6 +32,8 @@ class Digest {
       std::uint64_t word = 0;
       std::memcpy(&word, static_cast<const char*>(data) + sizeof(word) * i, sizeof(word));
       value_ = (value_ ^ word) * 0x100000001b3ull;
+      // A product carries bits upwards only; this brings
+      // a double's leading digits down to the others.
       value_ ^= value_ >> 32;
     }
   }
@@ -89,6 +92,7 @@ const TrajectoryPoint* SetpointQueue::advance(SimTime state_stamp) {
   was_reset_ = last_state_ && state_stamp < *last_state_;
   if (was_reset_) reset_to(state_stamp);
   if (!pending_.empty()) schedule_pending(state_stamp);
+  // Of points that have become due since the last state only the newest counts.
   while (next_ < scheduled_.size() && scheduled_[next_].effect <= state_stamp) {
     active_ = scheduled_[next_++].point;
   }
@@ -100,6 +104,7 @@ void SetpointQueue::reset_to(SimTime state_stamp) {
   if (!params_.keep_setpoint_over_reset) active_.reset();
   scheduled_.clear();
   next_ = 0;
+  // A message of the old time that comes again is a new one in the new time.
   accepted_count_ = 0;
   // What came in since the last state of the old time may already be meant for the new one:
   // unstamped messages are, and those whose stamp lies nearer to the new time than to the old.
@@ -114,6 +119,7 @@ void SetpointQueue::reset_to(SimTime state_stamp) {
 
 SimTime SetpointQueue::start_of(SimTime stamp, SimTime state_stamp) const {
   if (stamp == SimTime{}) return state_stamp;
+  // A stamp far from the state's is one of another clock, or too old to anchor a trajectory.
   const SimTime lead = stamp - state_stamp;
   const bool is_usable = lead <= SimTime::from_seconds(params_.max_lead_s) &&
                          lead >= SimTime::from_seconds(-params_.max_age_s);
@@ -121,6 +127,7 @@ SimTime SetpointQueue::start_of(SimTime stamp, SimTime state_stamp) const {
 }
 
 void SetpointQueue::drop_from(SimTime start) {
+  // An active point is before next_ and stays; what is scheduled is in order of time.
   const auto first = std::lower_bound(
       scheduled_.begin() + static_cast<std::ptrdiff_t>(next_), scheduled_.end(), start,
       [](const Scheduled& scheduled, SimTime time) { return scheduled.effect < time; });
@@ -161,6 +168,7 @@ void SetpointQueue::remember(Span<const Pending> message) {
 }
 
 void SetpointQueue::schedule_pending(SimTime state_stamp) {
+  // Points that have taken effect go first, so that the vector does not grow with the flight.
   scheduled_.erase(scheduled_.begin(), scheduled_.begin() + static_cast<std::ptrdiff_t>(next_));
   next_ = 0;
   const Span<const Pending> pending(pending_.data(), pending_.size());

@@ -26,6 +26,7 @@ bool turns(const ThrusterParams& thruster) { return thruster.max_angle > 0.0; }
 template <class Columns>
 Eigen::Index rank(const Columns& B) {
   Eigen::ColPivHouseholderQR<Columns> pivoted(B);
+  // Relative to the largest pivot: levers of micrometers do not make a rank.
   pivoted.setThreshold(1e-6);
   return pivoted.rank();
 }
@@ -91,6 +92,7 @@ ThrustAllocation::ThrustAllocation(const VesselModel& model, const AllocationPar
 
 /// Moments weigh as the forces that make them do at the longest lever.
 void ThrustAllocation::weigh() {
+  // [m]; the floor is for vessels whose thrusters are all at the origin.
   double lever = 0.1;
   Problem fixed, all;
   fixed.resize(static_cast<int>(model_.thrusters.size()));
@@ -105,6 +107,7 @@ void ThrustAllocation::weigh() {
       all.add(direction(thruster.yaw + 0.5 * kPi), thruster.position, 0.0, 1.0);
     }
   }
+  // A moment divided by the lever is a force, so that the three weights compare forces.
   weights_[2] /= lever;
   rank_ = rank(all.B);
   rank_of_fixed_ = rank(fixed.B);
@@ -130,10 +133,13 @@ void ThrustAllocation::add_rudders(double u) {
 
 ThrustAllocation::Vector ThrustAllocation::solve(const PlanarForce& wanted) const {
   using Program = BoxProgram<kMaxVariables>;
+  // Forces are scaled by the largest one, so that kEffort needs no unit.
   const double scale =
       std::max(problem_.B.leftCols(problem_.size).topRows(2).cwiseAbs().maxCoeff(), 1e-9);
   const Columns B = weights_.asDiagonal() * problem_.B / scale;
   const PlanarForce tau = weights_.cwiseProduct(wanted) / scale;
+  // Normal equations of the weighted least squares; the effort
+  // makes them positive definite where actuators are redundant.
   const Program::Matrix H = Program::Matrix(B.transpose() * B) +
                             kEffort * Program::Matrix::Identity(problem_.size, problem_.size);
   const Vector g = B.transpose() * tau;
@@ -162,6 +168,8 @@ void ThrustAllocation::steer(const PlanarForce& wanted, double u, double dt_s) {
     const bool is_free = turns(thruster);
     problem_.add(full * direction(thruster.yaw), thruster.position, least(thruster) / full,
                  most(thruster) / full);
+    // A thruster that turns is a force along and one across its mounting; the limit of its angle
+    // becomes the bound of the force across.
     if (is_free) {
       const double aside = std::sin(std::min(thruster.max_angle, 0.5 * kPi));
       problem_.add(full * direction(thruster.yaw + 0.5 * kPi), thruster.position, -aside, aside);
@@ -169,6 +177,7 @@ void ThrustAllocation::steer(const PlanarForce& wanted, double u, double dt_s) {
   }
   add_rudders(u);
   const Vector forces = solve(wanted);
+  // The second pass turns each thruster towards its force, at its rate.
   std::size_t angle_command = thrusters.size();
   for (std::size_t i = 0, variable = 0; i < thrusters.size(); ++i, ++variable) {
     if (!turns(thrusters[i])) continue;
@@ -183,6 +192,7 @@ void ThrustAllocation::steer(const PlanarForce& wanted, double u, double dt_s) {
 
 PlanarForce ThrustAllocation::allocate(const PlanarForce& wanted, double u, double dt_s) {
   const auto& thrusters = model_.thrusters;
+  // Angles first; thrusts are then allocated at the angles that the thrusters have by now.
   if (std::any_of(thrusters.begin(), thrusters.end(), turns)) steer(wanted, u, dt_s);
   problem_.resize(static_cast<int>(thrusters.size() + model_.rudders.size()));
   for (std::size_t i = 0; i < thrusters.size(); ++i) {
@@ -196,6 +206,7 @@ PlanarForce ThrustAllocation::allocate(const PlanarForce& wanted, double u, doub
     const auto at = static_cast<Eigen::Index>(i);
     commands_[i] = command_for(thrusters[i], forces[at] * largest(thrusters[i]));
   }
+  // A rudder's variable is its part of the largest useful angle: lift is linear in the angle there.
   const std::size_t first_rudder = commands_.size() - model_.rudders.size();
   for (std::size_t i = 0; i < model_.rudders.size(); ++i) {
     const RudderParams& rudder = model_.rudders[i];

@@ -48,6 +48,7 @@ void validate_inertia(const Eigen::Matrix3d& inertia) {
   if (!inertia.allFinite() || !inertia.isApprox(inertia.transpose(), 1e-12)) {
     refuse("inertia", text.str(), range);
   }
+  // Only a positive definite matrix has a Cholesky factorization.
   if (inertia.llt().info() != Eigen::Success) refuse("inertia", text.str(), range);
 }
 
@@ -66,6 +67,7 @@ void validate_rotor(const RotorConfig& rotor, std::size_t index) {
   }
 }
 
+// Rows are moments and a force and differ by their units and levers, hence the scaling.
 void require_full_rank(const AllocationMatrix& allocation) {
   Eigen::Matrix<double, 4, Eigen::Dynamic> scaled = allocation;
   for (int row = 0; row < 4; ++row) {
@@ -117,6 +119,7 @@ AllocationMatrix allocation_matrix(const VehicleParams& vehicle) {
     const Eigen::Vector3d p_body =
         rotor.arm_length * Eigen::Vector3d(std::cos(rotor.angle), std::sin(rotor.angle), 0.0);
     const Eigen::Vector3d& axis = rotor.thrust_axis_body;
+    // The air's reaction on the body acts against the rotor's sense: a ccw rotor turns it cw.
     const double drag = rotor.direction * rotor.moment_constant;
     const auto column = static_cast<Eigen::Index>(i);
     allocation.block<3, 1>(0, column) = rotor.force_constant * (p_body.cross(axis) - drag * axis);
@@ -127,6 +130,7 @@ AllocationMatrix allocation_matrix(const VehicleParams& vehicle) {
 }
 
 AllocationInverse allocation_inverse(const AllocationMatrix& allocation) {
+  // The gram matrix is invertible, as the rank is 4.
   const Eigen::Matrix4d gram = allocation * allocation.transpose();
   return allocation.transpose() * gram.inverse();
 }

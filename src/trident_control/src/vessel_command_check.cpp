@@ -17,9 +17,12 @@ std::string range_text(double lo, double hi, const char* unit) {
   return "[" + number_text(lo) + ", " + number_text(hi) + "] " + unit;
 }
 
+// Refuses what cannot be meant, and cuts what the vessel cannot do to what it can. The first
+// refusal stands; cuts add up in one text.
 class Check {
  public:
   void finite(const char* what, double value, const char* unit) {
+    // The comparison is false for NaN, too.
     if (std::abs(value) <= kLargest || !verdict.refused.empty()) return;
     verdict.refused = std::string(what) + " = " + number_text(value) + " " + unit +
                       ", legal is a number up to " + number_text(kLargest);

@@ -13,7 +13,9 @@
 namespace trident::control {
 namespace {
 
+/// Stamps further ahead than this are those of a wall clock.
 constexpr std::int64_t kForeignClockNs = 60'000'000'000;
+/// Bounds the memory that a sender takes while no states come.
 constexpr std::size_t kMaxPending = 256;
 /// A gap in the states counts as no more than this [s].
 constexpr double kLongestStep = 0.5;
@@ -118,12 +120,14 @@ ControlStatus VesselController::update(SimTime stamp, const OdometryState& odome
   const double dt_s = last_stamp_ ? std::min((stamp - *last_stamp_).seconds(), kLongestStep) : 0.0;
   last_stamp_ = stamp;
   VesselState state = planar_state(odometry);
+  // The drift is observed in every mode, so that it is known when a course or a path begins.
   drift_.update(state, forces_.given[1], dt_s);
   apply_due(stamp, state);
   if (mode_ == VesselMode::kIdle) {
     allocation_.rest();
     return ControlStatus::ok;
   }
+  // Thrusters must not work against the waves' first-order motion, which has a mean of zero.
   if (mode_ == VesselMode::kStation) state = station_.filter.filter(state, dt_s);
   actuate(setpoint(stamp, state, dt_s), stamp, state, dt_s);
   return ControlStatus::ok;
@@ -161,6 +165,7 @@ void VesselController::apply(SimTime stamp, const VesselCommand& command,
       return;
     case Kind::kVelocity:
       enter(VesselMode::kVelocity, state);
+      // A velocity is for a moment, as of a joystick; all other commands hold until the next one.
       commanded_.has_timeout = params_.cmd_vel.timeout > 0.0;
       commanded_.speed = command.speed;
       commanded_.rate = command.rate;
@@ -224,6 +229,7 @@ void VesselController::actuate(const Setpoint& setpoint, SimTime stamp, const Ve
     if (!is_speed_held_) speed_controller_.reset(state.u);
     is_speed_held_ = true;
     const auto measured = setpoint.over_ground ? state.u : measured_speed(stamp, state);
+    // Without a wanted force in sway the vessel is steered as an underactuated one.
     forces_.asked[0] = speed_controller_.hold(measured, setpoint.speed, dt_s);
     forces_.asked[1] = 0.0;
   }

@@ -63,6 +63,7 @@ struct KeyCollector {
   }
 };
 
+/// The loader refuses unknown keys, but the simulator has keys of its own in the same file.
 ConfigNode known_part(const ConfigNode& root) {
   KeyCollector collector;
   VesselFile().visit(collector);
@@ -81,10 +82,12 @@ ConfigNode known_part(const ConfigNode& root) {
 
 /// Surge, sway and yaw of a diagonal or of a matrix's diagonal, which no turn of the axes changes.
 Eigen::Vector3d planar(const Vector6d& diagonal, const std::optional<MatrixRows36>& rows) {
+  // Rows of 6: elements (0, 0), (1, 1) and (5, 5).
   if (rows) return {(*rows)[0], (*rows)[7], (*rows)[35]};
   return {diagonal[0], diagonal[1], diagonal[5]};
 }
 
+/// A half turn about x: y, z and angles about z change their sign.
 void turn_into_flu(VesselModel& model) {
   for (ThrusterParams& thruster : model.thrusters) {
     thruster.position.tail<2>() *= -1.0;
@@ -100,9 +103,11 @@ VesselModel load_vessel_model(const std::string& path) {
   const auto file = load_config_node<VesselFile>(known_part(root), path);
   VesselModel model;
   model.name = file.name;
+  // The file has the inertia about the center of gravity; Steiner's theorem moves it to CO.
   const double lever = file.center_of_gravity.head<2>().squaredNorm();
   const Eigen::Vector3d added = planar(file.added_mass, file.added_mass_matrix);
   model.mass = Eigen::Vector3d(file.mass, file.mass, file.inertia.z() + file.mass * lever) + added;
+  // The Munk moment is (added mass of sway - added mass of surge) u v.
   model.munk_mass = file.munk ? added[1] - added[0] : 0.0;
   model.linear_damping = planar(file.linear_damping, file.linear_damping_matrix);
   model.quadratic_damping = planar(file.quadratic_damping, file.quadratic_damping_matrix);

@@ -36,6 +36,7 @@ VehicleParams MultirotorParams::vehicle() const {
   vehicle.gravity = gravity;
   vehicle.inertia = inertia.matrix();
   vehicle.rotors.clear();
+  // By number and not in the order of the map, in which the text "10" comes before "2".
   for (std::size_t i = 0; i < rotors.size(); ++i) {
     const auto named = rotors.find(std::to_string(i));
     if (named == rotors.end()) {
@@ -68,6 +69,7 @@ LeeParams LeeNodeParams::controller() const {
   return params;
 }
 
+/// Parameters of this project's own have defaults that suit every vehicle and are not mentioned.
 std::vector<std::string> absent_notes(const ros_utils::NodeParams& params) {
   std::vector<std::string> notes;
   for (const ros_utils::AbsentParam& absent : params.absent()) {

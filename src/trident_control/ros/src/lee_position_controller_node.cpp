@@ -60,6 +60,7 @@ LeePositionControllerNode::LeePositionControllerNode(ros::NodeHandle& node, cons
       node, thread, [this](const StampedOdometry& odometry) { on_odometry(odometry); });
 }
 
+// Callbacks use the other members, so all subscriptions end before any member is destroyed.
 LeePositionControllerNode::~LeePositionControllerNode() {
   odometry_.reset();
   for (ros::Subscriber* const subscriber : {&trajectory_, &pose_, &attitude_, &rates_, &stop_}) {
@@ -71,6 +72,8 @@ void LeePositionControllerNode::spin_once(std::chrono::milliseconds limit) {
   odometry_->spin_once(limit);
 }
 
+// In the thread of `OdometryThread`; set-points come
+// in roscpp's threads, hence the mutex in compute().
 void LeePositionControllerNode::on_odometry(const StampedOdometry& odometry) {
   ros_utils::hand_over("odometry received");
   if (compute(odometry)) {
@@ -85,6 +88,7 @@ bool LeePositionControllerNode::compute(const StampedOdometry& odometry) {
   const TrajectoryPoint* setpoint = setpoints_.advance(to_sim_time(odometry.stamp));
   const Span<double> speeds = motors_.rotor_speeds();
   if (setpoint) return controller_.compute(odometry.state, *setpoint, speeds) == ControlStatus::ok;
+  // As in RotorS, rotors stand until the first set-point.
   std::fill(speeds.begin(), speeds.end(), 0.0);
   return true;
 }
@@ -109,6 +113,7 @@ void LeePositionControllerNode::on_stop(const std_msgs::Header& message) {
 
 void LeePositionControllerNode::on_trajectory(
     const trajectory_msgs::MultiDOFJointTrajectory& message) {
+  // One bad point refuses the whole message.
   if (const auto index = to_setpoints(message, incoming_)) {
     refusals_.note("set-point refused", trajectory_.getTopic() + ": set-point refused: its point " +
                                             std::to_string(*index) +

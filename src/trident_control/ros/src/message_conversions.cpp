@@ -8,6 +8,7 @@
 namespace trident::control {
 namespace {
 
+/// A row-major 6 x 6 matrix of float64, which no controller reads.
 constexpr std::size_t kCovarianceBytes = 36 * sizeof(double);
 
 /// Walks over little-endian bytes; once they run out, everything read is zero and ok() is false.
@@ -24,6 +25,7 @@ class ByteReader {
     return value;
   }
   void skip(std::size_t count) { take(count); }
+  // ROS serializes a string as its length in 32 bits and its bytes.
   void skip_string() { skip(read<std::uint32_t>()); }
   Eigen::Vector3d read_vector() {
     const double x = read<double>();
@@ -63,6 +65,8 @@ SimTime to_sim_time(const ros::Time& time) {
 
 SimTime to_sim_time(const ros::Duration& duration) { return {duration.toNSec()}; }
 
+/// The fields of nav_msgs/Odometry as they are serialized, without the message object: its strings
+/// would be allocated for each state.
 std::optional<StampedOdometry> parse_odometry(Span<const std::uint8_t> bytes) {
   ByteReader reader(bytes);
   StampedOdometry odometry;
@@ -71,6 +75,8 @@ std::optional<StampedOdometry> parse_odometry(Span<const std::uint8_t> bytes) {
   odometry.stamp.nsec = reader.read<std::uint32_t>();
   reader.skip_string();  // frame_id
   reader.skip_string();  // child_frame_id
+  // The pose is in header.frame_id, the twist in
+  // child_frame_id; quaternions are in order x, y, z, w.
   OdometryState& state = odometry.state;
   state.p_world_body = reader.read_vector();
   state.R_world_body.vec() = reader.read_vector();
@@ -120,6 +126,8 @@ TrajectoryPoint to_trajectory_point(const mav_msgs::RateThrust& message) {
   return point;
 }
 
+/// A multirotor is one body, so that the first transform is all of it; velocities and accelerations
+/// are optional in this message, and zero where they are absent.
 std::optional<TrajectoryPoint> to_trajectory_point(
     const trajectory_msgs::MultiDOFJointTrajectoryPoint& message) {
   if (message.transforms.empty()) return std::nullopt;

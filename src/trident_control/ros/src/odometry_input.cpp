@@ -35,6 +35,7 @@ void OdometryInput::spin_once(std::chrono::milliseconds limit) {
   if (inbox_->wait(limit)) inbox_->read();
 }
 
+// From a socket. A publisher in the same process hands over its object, which needs no parsing.
 void OdometryInput::on_bytes(Span<const std::uint8_t> bytes) {
   const auto odometry = parse_odometry(bytes);
   if (!odometry) {

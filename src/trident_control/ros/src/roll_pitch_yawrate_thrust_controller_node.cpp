@@ -40,6 +40,8 @@ void RollPitchYawrateThrustControllerNode::on_odometry(const StampedOdometry& od
 
 bool RollPitchYawrateThrustControllerNode::compute(const StampedOdometry& odometry) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  // Time that runs back is a reset of the world: a run
+  // must not begin with a command of the last one.
   if (odometry.stamp < last_stamp_) command_.reset();
   last_stamp_ = odometry.stamp;
   const Span<double> speeds = motors_.rotor_speeds();

@@ -24,8 +24,10 @@ namespace {
 
 using Kind = VesselCommand::Kind;
 
+/// By the stamps of the states, not by the wall clock.
 constexpr std::int64_t kDiagnosticsEveryNs = 1'000'000'000;
 
+/// Speed and angle get the same number; which of them is read follows from the kind.
 VesselCommand of_number(Kind kind, const std_msgs::Float64& message) {
   VesselCommand command;
   command.kind = kind;
@@ -47,6 +49,8 @@ VesselCommand of_cruise(const geometry_msgs::TwistStamped& message) {
   return command;
 }
 
+/// Legs are straight lines in the horizontal plane:
+/// heights and orientations of the poses do not count.
 VesselCommand of_path(const nav_msgs::Path& message) {
   VesselCommand command;
   command.kind = Kind::kPath;
@@ -83,6 +87,7 @@ VesselControllerNode::VesselControllerNode(ros::NodeHandle& node, const VesselMo
       cross_track_(node.advertise<std_msgs::Float64>("cross_track_error", 1)),
       diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10)) {
   for (const std::string& topic : controller_.topics()) {
+    // VRX has std_msgs/Float32 for thrusts and thrust angles.
     single_.push_back(starts_with(topic, "thrusters/")
                           ? node.advertise<std_msgs::Float32>(topic, 1)
                           : node.advertise<std_msgs::Float64>(topic, 1));
@@ -123,12 +128,14 @@ void VesselControllerNode::listen_to_commands(ros::NodeHandle& node) {
   listen_to_stamped_commands(node);
   listen<std_msgs::Float64>(node, "speed_through_water", [this](const auto& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    // A Float64 has no stamp: the value counts as measured at the newest state.
     const std::string problem = ros_utils::number_problem(message.data, 1e3, "speed_through_water");
     if (!problem.empty()) note("speed_through_water refused", true, problem + " m/s");
     controller_.set_log(now_, message.data);
   });
 }
 
+/// These have a header, whose stamp says at which state the command begins to act.
 void VesselControllerNode::listen_to_stamped_commands(ros::NodeHandle& node) {
   listen<nav_msgs::Path>(node, "command/path", [this](const auto& message) {
     accept("command/path", message.header.stamp, of_path(message));
@@ -173,6 +180,7 @@ void VesselControllerNode::note(const std::string& kind, bool is_error, const st
   Problem& problem = problems_[kind];
   problem.is_error = is_error;
   problem.newest = text;
+  // Each kind is logged once; how often it came is in /diagnostics.
   if (++problem.count > 1) return;
   if (is_error) {
     ROS_ERROR("%s", text.c_str());
@@ -194,6 +202,7 @@ void VesselControllerNode::on_odometry(const StampedOdometry& odometry) {
   std::copy(commands.begin(), commands.end(), motors_.rotor_speeds().begin());
   motors_.publish(odometry.stamp);
   publish_single();
+  // After a reset of the world, time is before the last publication.
   const bool is_reset = now_ < published_at_;
   if (is_reset || now_.ns - published_at_.ns >= kDiagnosticsEveryNs) publish_diagnostics();
 }
@@ -201,6 +210,7 @@ void VesselControllerNode::on_odometry(const StampedOdometry& odometry) {
 void VesselControllerNode::publish_single() {
   const auto commands = controller_.commands();
   for (std::size_t i = 0; i < single_.size(); ++i) {
+    // The simulator takes the commands of all actuators in one message; these are for others.
     if (single_[i].getNumSubscribers() == 0) continue;
     if (starts_with(controller_.topics()[i], "thrusters/")) {
       std_msgs::Float32 message;
