@@ -62,6 +62,7 @@ std::int8_t occupancy_of_darkness(double dark, bool is_transparent, const MapFil
   if (dark > file.occupied_thresh) return OccupancyGrid::kOccupied;
   if (dark < file.free_thresh) return OccupancyGrid::kFree;
   if (file.mode == MapMode::kTrinary || is_transparent) return OccupancyGrid::kUnknown;
+  // 1 to 99, as map_server: 0 and 100 are kept for what is free and what is occupied.
   const double between = (dark - file.free_thresh) / (file.occupied_thresh - file.free_thresh);
   return static_cast<std::int8_t>(1.0 + 98.0 * between);
 }
@@ -70,6 +71,7 @@ std::int8_t occupancy(const PixelImage& image, const std::uint16_t* pixel, const
   double bright = brightness(image, pixel, file.mode);
   if (file.negate != 0) bright = 255.0 - bright;
   if (file.mode == MapMode::kRaw) {
+    // Raw pixels are percent of occupancy themselves.
     return bright > 100.0 ? OccupancyGrid::kUnknown : static_cast<std::int8_t>(bright);
   }
   return occupancy_of_darkness((255.0 - bright) / 255.0,
@@ -78,6 +80,7 @@ std::int8_t occupancy(const PixelImage& image, const std::uint16_t* pixel, const
 
 /// Written to a temporary file next to it, which is then renamed.
 void write_file(const std::string& path, const std::string& bytes) {
+  // Who reads the map at this moment has the old file or the new one, never half of it.
   const std::string part = path + ".part";
   std::ofstream out(part, std::ios::binary | std::ios::trunc);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -185,6 +188,7 @@ void save_map(const std::string& base, const OccupancyGrid& grid,
   thresholds.validate();
   write_file(base + ".pgm", pgm_of(grid, thresholds));
   const SE2& T = grid.T_map_origin;
+  // The thresholds are map_saver's, whatever the grid was cut with: they divide its three grays.
   write_file(base + ".yaml",
              "image: " + fs::path(base + ".pgm").filename().string() + "\n" +
                  formatted("resolution: %f\norigin: [%f, %f, %f]\nnegate: 0\noccupied_thresh: "

@@ -12,6 +12,7 @@
 namespace trident::maps {
 namespace {
 
+/// A resolution outside of these is an error of a field or of its unit, not a map.
 constexpr double kFinest = 1e-4;   // of a map's cells [m]
 constexpr double kCoarsest = 1e3;  // [m]
 

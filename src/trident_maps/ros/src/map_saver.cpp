@@ -86,6 +86,7 @@ int save_first_map(const SaverOptions& options) {
   std::optional<int> result;  // of the map that has come
   const boost::function<void(const nav_msgs::OccupancyGridConstPtr&)> save =
       [&](const nav_msgs::OccupancyGridConstPtr& message) {
+        // Several messages may have come in one call of the queue; the first map is saved.
         if (result) return;
         const std::optional<OccupancyGrid> grid = grid_of(*message, refusals);
         if (grid) result = save_or_log(options, *grid) ? 0 : 1;
