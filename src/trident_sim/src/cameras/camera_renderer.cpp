@@ -67,6 +67,7 @@ CameraRenderer::~CameraRenderer() = default;
 
 void CameraRenderer::render(const SE3& T_world_camera, std::uint64_t noise_key, Picture& picture) {
   RayScene& scene = rays(world_, RayGeometry::kVisual);
+  // The scene is brought to the present poses once; workers only read it from here.
   scene.use_textures();
   scene.refresh();
   const std::shared_ptr<const WaterSurface> water =
@@ -74,6 +75,8 @@ void CameraRenderer::render(const SE3& T_world_camera, std::uint64_t noise_key, 
   if (water != nullptr) water_.begin_picture(world_, scene, pixel_angle_);
   for (const auto& seen : seen_) seen->surfaces.begin_picture(scene, T_world_camera.p);
   const Eigen::Matrix3f R = T_world_camera.R.toRotationMatrix().cast<float>();
+  // From axes of the sensor (x ahead) to those of the
+  // optical frame (z ahead, x right, y down; REP 103).
   const Frame frame{scene,
                     Lighting(world_, scene),
                     PixelNoise(noise_key),
@@ -121,6 +124,7 @@ void CameraRenderer::for_pixels(int column, int row, Store&& store) const {
 
 void CameraRenderer::render_tile(const Frame& frame, int column, int row, Seen& seen,
                                  Picture& picture) const {
+  // First all hits, then depths and labels, then colors: light and textures are for the last alone.
   see(frame, table_.tile(column, row), picture.wants_colors, seen);
   if (frame.water != nullptr) see_water(frame, seen);
   if (picture.wants_depths) {
@@ -153,6 +157,7 @@ void CameraRenderer::see(const Frame& frame, const ViewTable::Tile& tile, bool w
   rays.origin_z.fill(static_cast<float>(frame.p_world_camera.z()));
   for (std::size_t i = 0; i < kLanes; ++i) {
     const float x = tile.x[i], y = tile.y[i];
+    // The direction has length 1 along the optical axis, so that t is the depth and not the range.
     rays.direction_x[i] = frame.z_world.x() + x * frame.x_world.x() + y * frame.y_world.x();
     rays.direction_y[i] = frame.z_world.y() + x * frame.x_world.y() + y * frame.y_world.y();
     rays.direction_z[i] = frame.z_world.z() + x * frame.x_world.z() + y * frame.y_world.z();
@@ -160,6 +165,7 @@ void CameraRenderer::see(const Frame& frame, const ViewTable::Tile& tile, bool w
   rays.t_min.fill(static_cast<float>(spec_.near_m));
   rays.t_max.fill(static_cast<float>(spec_.far_m));
   rays.valid.fill(-1);
+  // As OGRE culls them, faces are seen from their front only: rays that hit a back are cast again.
   PacketRays(frame.scene).intersect(rays, seen.hits);
   seen.points.valid.fill(0);
   for (int round = 0; round < kMaxBehindOneAnother; ++round) {
@@ -216,6 +222,7 @@ void CameraRenderer::see_water(const Frame& frame, Seen& seen) const {
     const bool is_hit = std::isfinite(water_hit.t);
     view.is_needed = view.is_needed || is_hit || water_hit.begins_below;
     if (!is_hit) continue;
+    // What lies too deep, or beyond a surface that is seen from below, is not lit.
     if (behind - water_hit.t > WaterPainter::kMurk_m || water_hit.begins_below)
       seen.points.valid[lane] = 0;
     const bool is_near = water_hit.t <= spec_.far_m;
@@ -252,6 +259,7 @@ bool CameraRenderer::describe(const Frame& frame, std::size_t lane, bool with_lo
     uv = point.uv;
   }
   if (is_turned_away) {
+    // Beyond the hit by more than a float resolves, or the same face would be hit again.
     rays.t_min[lane] = static_cast<float>(std::max(t, 0.0) * (1.0 + 2e-6) + 1e-6);
     if (!(rays.t_min[lane] <= rays.t_max[lane])) rays.t_min[lane] = rays.t_max[lane];
     return false;
@@ -309,6 +317,7 @@ void CameraRenderer::store_colors(const Frame& frame, const PacketColor& color, 
   std::uint8_t* const out = picture.colors.data();
   if (spec_.format == PixelFormat::kMono8) {
     for_pixels(column, row, [&](std::size_t lane, std::size_t pixel) {
+      // Luma of ITU-R BT.601.
       const int sum = 299 * bytes[0][lane] + 587 * bytes[1][lane] + 114 * bytes[2][lane];
       out[pixel] = static_cast<std::uint8_t>((sum + 500) / 1000);
     });

@@ -21,6 +21,7 @@ const ParamNode& child_or_empty(const ParamNode& node, const char* name) {
   return child != nullptr ? *child : empty;
 }
 
+/// SDF's names and the older ones of Gazebo.
 PixelFormat read_format(const PluginParams& image) {
   static const std::map<std::string, PixelFormat> formats = {
       {"R8G8B8", PixelFormat::kRgb8}, {"RGB_INT8", PixelFormat::kRgb8},
@@ -64,6 +65,7 @@ std::optional<Intrinsics> read_intrinsics(const ParamNode& lens, const std::stri
   if (node == nullptr) return std::nullopt;
   const PluginParams params(*node, owner + " <intrinsics>");
   Intrinsics k;
+  // <intrinsics> says how the picture is drawn, <projection> only what CameraInfo's P has.
   k.fx = params.number("fx", k.fx, kFocal);
   k.fy = params.number("fy", k.fy, kFocal);
   k.cx = params.number("cx", k.cx, kOffset);

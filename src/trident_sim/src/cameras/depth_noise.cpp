@@ -25,6 +25,8 @@ void DepthNoise::apply(std::uint64_t key, std::vector<float>& depths) const {
   if (model == DepthNoiseModel::kNone) return;
   const PixelNoise noise(key);
   for (std::size_t first = 0; first < depths.size(); first += kPacketLanes) {
+    // Numbers are drawn by the pixel's index, so that
+    // threads and earlier pictures do not change them.
     const PacketFloats normals = noise.normals(first / kPacketLanes);
     const std::size_t count = std::min(kPacketLanes, depths.size() - first);
     for (std::size_t i = 0; i < count; ++i) {

@@ -42,6 +42,7 @@ class JpegEncoder {
   JpegEncoder& operator=(const JpegEncoder&) = delete;
 
   bool write(const Rows& rows, J_COLOR_SPACE colors, int quality) {
+    // libjpeg reports an error by a jump back to here.
     if (setjmp(errors_.jump) != 0) return false;
     jpeg_mem_dest(&info_, &bytes_, &size_);
     info_.image_width = rows.width;
@@ -152,6 +153,7 @@ std::vector<std::uint16_t> inverse_depths(const ImageSample& image, float max_m,
     float depth = 0.0F;
     std::memcpy(&depth, &image.data[i * sizeof(float)], sizeof(float));
     if (!(depth > 0.0F && depth < max_m)) continue;  // not a number, too
+    // Inverse depth has its finest steps near the camera, as stereo has; zero is no depth.
     inverse[i] = static_cast<std::uint16_t>(std::min(header.A / depth + header.B, 65535.0F));
   }
   return inverse;
@@ -181,6 +183,8 @@ void compress_picture(const ImageSample& image, const PictureCompression& how,
     throw Error("picture of encoding '" + image.encoding +
                 "' cannot be compressed, legal: rgb8, bgr8, mono8, mono16");
   }
+  // As compressed_image_transport writes it: its
+  // subscriber learns the order of the channels from it.
   out.format = image.encoding + (as_png ? "; png compressed " : "; jpeg compressed ");
   if (is_color) out.format += "bgr8";
   if (as_png) {
@@ -200,6 +204,7 @@ void compress_depth(const ImageSample& image, const DepthCompression& how, Compr
   std::vector<std::uint16_t> values;
   if (image.encoding == "32FC1") {
     const auto max_m = static_cast<float>(how.max_m), q = static_cast<float>(how.quantization);
+    // As compressed_depth_image_transport: a decoder computes A / (value - B), and max_m becomes 1.
     header.A = q * (q + 1.0F);
     header.B = 1.0F - header.A / max_m;
     values = inverse_depths(image, max_m, header);

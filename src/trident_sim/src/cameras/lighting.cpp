@@ -79,6 +79,7 @@ void Lighting::add_lights(const World& world) {
     lamp.constant = static_cast<float>(light.attenuation_constant);
     lamp.linear = static_cast<float>(light.attenuation_linear);
     lamp.quadratic = static_cast<float>(light.attenuation_quadratic);
+    // SDF gives whole angles of the cones.
     lamp.cos_inner = static_cast<float>(std::cos(0.5 * light.spot_inner_rad));
     lamp.cos_outer = static_cast<float>(std::cos(0.5 * light.spot_outer_rad));
     lamp.falloff = static_cast<float>(light.spot_falloff);
@@ -125,6 +126,7 @@ void Lighting::add(const Lamp& lamp, const LitPoints& points, PacketColor& color
   }
   turn_to_surface(points, light);
   const RayPacket rays = shadow_rays(points, light);
+  // Lanes that are turned away from the lamp cast no shadow rays; if all are, it adds nothing.
   const bool is_dark =
       std::all_of(rays.valid.begin(), rays.valid.end(), [](int v) { return v == 0; });
   if (is_dark) return;

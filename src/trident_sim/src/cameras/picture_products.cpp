@@ -23,11 +23,13 @@ std::uint32_t color_of(const std::vector<std::uint8_t>& colors, PixelFormat form
 
 std::uint16_t to_millimeters(float depth_m) {
   const long millimeters = std::lround(1000.0 * static_cast<double>(depth_m));
+  // REP 118: zero is no measurement, and 16 bits end at 65.535 m.
   return millimeters > 65535 ? 0 : static_cast<std::uint16_t>(millimeters);
 }
 
 }  // namespace
 
+// REP 118: 32FC1 in meters or 16UC1 in millimeters, along the optical axis.
 void write_depths(const std::vector<float>& depths, const DepthRange& range, DepthFormat format,
                   std::vector<std::uint8_t>& data) {
   if (format == DepthFormat::kMeters) {
@@ -62,6 +64,8 @@ void write_cloud(const Picture& picture, PixelFormat format, const CameraModel& 
       ImageCloudSample::Point& point = cloud.points[pixel];
       const bool is_seen = range.holds(depth);
       cloud.is_dense = cloud.is_dense && is_seen;
+      // The table has the undistorted directions, so that
+      // the cloud is right for a distorted picture, too.
       point.x = is_seen ? depth * tile.x[lane] : kNone;
       point.y = is_seen ? depth * tile.y[lane] : kNone;
       point.z = is_seen ? depth : kNone;
@@ -77,6 +81,7 @@ Labels::Labels(const RayScene& scene, LabelKind kind) {
     const std::uint32_t id = kind == LabelKind::kModel ? shape.model_id : shape.link_id;
     if (names_.size() <= id) names_.resize(std::size_t{id} + 1);
     names_[id] = kind == LabelKind::kModel ? shape.model : shape.model + "::" + shape.link;
+    // Label 0 is the background.
     labels_.push_back(id + 1);
   }
 }
@@ -108,6 +113,7 @@ void write_boxes(const std::vector<std::uint32_t>& shapes, int width, const Labe
     }
     box.x_min = std::min(box.x_min, x);
     box.x_max = std::max(box.x_max, x);
+    // Rows come in rising order.
     box.y_max = y;
   }
   boxes.erase(std::remove_if(boxes.begin(), boxes.end(),

@@ -8,6 +8,7 @@
 namespace trident::sim {
 namespace {
 
+/// Neighbors in a tile that repeats; n is a power of two.
 std::size_t below(std::size_t i, std::size_t n) { return (i + n - 1) & (n - 1); }
 std::size_t above(std::size_t i, std::size_t n) { return (i + 1) & (n - 1); }
 
@@ -24,6 +25,7 @@ void WaterSlopes::follow(const WaterSurface& water) {
     return;
   }
   const std::uint64_t serial = water.tile()->serial();
+  // Several cameras may look at one tile, which changes less often than the time.
   if (serial_ == serial && weight_ == water.weight() && !levels_.empty()) return;
   serial_ = serial;
   weight_ = water.weight();
@@ -33,6 +35,7 @@ void WaterSlopes::follow(const WaterSurface& water) {
   across_ = water.pattern().across;
   find_slopes(water);
   std::size_t level = 0;
+  // A pyramid as of mip maps, down to one node with the mean of the whole tile.
   for (; levels_[level].n > 1; ++level) {
     if (levels_.size() == level + 1) levels_.emplace_back();
     halve(levels_[level], levels_[level + 1]);
@@ -61,6 +64,8 @@ void WaterSlopes::find_slopes(const WaterSurface& water) {
     for (std::size_t column = 0; column < n; ++column) {
       const float along = per_m * (after[column] - before[column]);
       const float across = per_m * (here[above(column, n)] - here[below(column, n)]);
+      // The squared slope is averaged along: less the square of the mean slope it is the variance
+      // that a pixel does not resolve.
       fine.nodes[row * n + column] = {{along, across, along * along + across * across, 0.0F}};
     }
   }
@@ -120,6 +125,7 @@ WaterSlopes::Mean WaterSlopes::at(const Eigen::Vector2d& p_world, double width_m
     const float scale = 1.0F / static_cast<float>(std::size_t{1} << number);
     return between(levels_[number], (u + 0.5F) * scale - 0.5F, (v + 0.5F) * scale - 0.5F);
   };
+  // Between two levels as well, so that no line shows where the level changes.
   const Node a = sample(fine);
   if (share == 0.0F) return {{a.along(), a.across()}, a.square()};
   const Node b = sample(fine + 1);

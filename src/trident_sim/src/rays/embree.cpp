@@ -96,6 +96,7 @@ void occlude_round(const RTCOccludedFunctionNArguments* args) {
   if (!counts(shape, args->context)) return;
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] == 0 || !distance_to_round(shape, args->ray, args->N, i)) continue;
+    // Embree's sign of an occluded ray.
     RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
   }
 }
@@ -161,6 +162,8 @@ CastContext make_context(const RayFilter& filter, bool shadows_only, bool some_c
 }
 
 EmbreeDevice make_device() {
+  // Scenes are built in the thread that commits them;
+  // others would compete with the world's workers.
   std::string config = "threads=1,set_affinity=0";
   // For tests: the kernels of processors with narrower instructions ("isa=avx2").
   if (const char* more = std::getenv("TRIDENT_EMBREE")) config += std::string(",") + more;

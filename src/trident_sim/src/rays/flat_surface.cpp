@@ -28,6 +28,7 @@ struct Triangle {
 
 FlatSurface flat_surface(const TracedShape& shape, std::uint32_t primitive) {
   if (shape.kind == SurfaceKind::kBox) {
+    // Two triangles a face, in the order of box_triangles().
     const int face = static_cast<int>(primitive / 2), axis = face / 2;
     const double sign = face % 2 == 0 ? -1.0 : 1.0;
     const Eigen::Vector3d normal = sign * shape.R_world_shape.col(axis);
@@ -47,6 +48,7 @@ Eigen::Vector3d triangle_weights(const TriangleMesh& mesh, std::uint32_t primiti
   const Triangle t(mesh, primitive);
   const Eigen::Vector3d n = t.normal();
   const double area = n.squaredNorm();
+  // Barycentric coordinates, the parts of the areas opposite to the corners.
   const double b = (p - t.a).cross(t.c - t.a).dot(n) / area;
   const double c = (t.b - t.a).cross(p - t.a).dot(n) / area;
   return {1.0 - b - c, b, c};

@@ -14,6 +14,7 @@ PacketBounds turned(const PacketBounds& bounds, const Eigen::Matrix3d& R,
                     const Eigen::Vector3d& p) {
   const Eigen::Map<const Eigen::Vector3f> low(bounds.low.data()), high(bounds.high.data());
   const Eigen::Vector3d middle = R * (0.5F * (low + high)).cast<double>() + p;
+  // The box about the turned box.
   const Eigen::Vector3d half = R.cwiseAbs() * (0.5F * (high - low)).cast<double>();
   PacketBounds result;
   for (std::size_t i = 0; i < 3; ++i) {

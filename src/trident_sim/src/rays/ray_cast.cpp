@@ -155,6 +155,7 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
     hits[lane] = {};
     if (!usable(rays[lane])) continue;
     packet.valid[lane] = -1;
+    // The nearest plane bounds the ray before Embree sees it.
     planes[lane] = nearest_plane(rays[lane], filter, false, limits[lane]);
     set_ray(packet.embree.ray, lane, rays[lane], beyond(limits[lane]));
   }
@@ -172,6 +173,7 @@ void RayScene::Content::cast_packet(const Ray* rays, RayHit* hits, std::size_t c
     if (embree_hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
       const TracedShape& shape = shape_hit(embree_hit.instID[0][lane], embree_hit.geomID[lane]);
       hits[lane] = describe(ray, shape, embree_hit.primID[lane], packet.embree.ray.tfar[lane]);
+      // Measured in double it may lie behind the plane after all.
       if (hits[lane].distance_m <= limits[lane]) continue;
       hits[lane] = {};
     }

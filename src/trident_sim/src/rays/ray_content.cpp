@@ -199,6 +199,7 @@ void RayScene::Content::number() {
   tables_.materials.clear();
   planes_.clear();
   tables_.some_cast_no_shadow = false;
+  // In order of the models' names, so that labels do not depend on who was spawned first.
   std::uint32_t model_id = 0, link_id = 0;
   for (auto& [model_name, model] : models_) {
     for (TracedLink& link : model.links) {

@@ -61,6 +61,7 @@ PacketFloats plane_distances(const FlatSurface& plane, const RayPacket& rays) {
         n.x() * rays.origin_x[i] + n.y() * rays.origin_y[i] + n.z() * rays.origin_z[i] - offset;
     const float sinking =
         n.x() * rays.direction_x[i] + n.y() * rays.direction_y[i] + n.z() * rays.direction_z[i];
+    // A ray along the plane divides by zero: infinity or NaN fails the comparisons with its limits.
     t[i] = -height / sinking;
   }
   return t;
@@ -119,6 +120,7 @@ std::uint32_t RayScene::Content::shaded_lanes(const RayPacket& rays, std::uint32
   fill_other_lanes(rays, embree);
   // Never with the flag for coherent rays: with instances Embree 3.13.5 does not come back then.
   CastContext context = make_context(filter, true, tables_.some_cast_no_shadow);
+  // Lanes that are in shadow already are not cast again.
   const auto left = [&] {
     MovingParts::Lanes valid;
     for (std::size_t i = 0; i < kLanes; ++i) {

@@ -47,6 +47,8 @@ void RayScenes::prepare_surface() {
 }
 
 void RayScenes::end_phase(Phase /*phase*/) {
+  // Sensors of all models first say what they are to cast in this phase; then all rays are shared
+  // among the workers, and results are published in the order of the sensors.
   if (!collect_jobs()) return;
   prepare_surface();
   parts_.clear();

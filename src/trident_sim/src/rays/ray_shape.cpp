@@ -17,6 +17,7 @@ constexpr double kSeam = 1e-9;
 std::optional<std::array<double, 2>> roots(double a, double b, double c) {
   const double discriminant = b * b - a * c;
   if (!(discriminant >= 0.0) || !(a > 0.0)) return std::nullopt;
+  // The root without cancellation first; the other one by Vieta's formula, t0 t1 = c / a.
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
   if (q == 0.0) return std::array<double, 2>{0.0, 0.0};
   const double t0 = q / a, t1 = c / q;
@@ -140,6 +141,7 @@ Eigen::Vector3d round_normal(const TracedShape& shape, const Eigen::Vector3d& p)
     return (p - Eigen::Vector3d(0.0, 0.0, std::min(h, std::max(-h, p.z())))).normalized();
   }
   const double radial = p.head<2>().norm();
+  // At the edge the face counts where the point is farther beyond it than beyond the side.
   if (std::abs(p.z()) - h > radial - r) return {0.0, 0.0, std::copysign(1.0, p.z())};
   return {p.x() / radial, p.y() / radial, 0.0};
 }
@@ -153,12 +155,14 @@ TriangleMesh box_triangles(const Eigen::Vector3d& half_size) {
   TriangleMesh mesh;
   for (std::uint32_t corner = 0; corner < 8; ++corner) {
     for (int axis = 0; axis < 3; ++axis) {
+      // Bit i of a corner's number says on which side of axis i it is.
       const double side = (corner >> axis) % 2 == 0 ? -1.0 : 1.0;
       mesh.vertices.push_back(static_cast<float>(side * half_size[axis]));
     }
   }
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
     const std::uint32_t along = 1U << ((axis + 1) % 3), across = 1U << ((axis + 2) % 3);
+    // Faces in the order -x, +x, -y, ...: flat_surface() finds a face by its triangles' numbers.
     for (std::uint32_t side = 0; side < 2; ++side) {
       const std::uint32_t first = side << axis;
       const std::uint32_t last = first + along + across;

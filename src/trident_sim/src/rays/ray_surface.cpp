@@ -21,6 +21,7 @@ std::shared_ptr<const AnalyticSurface> RayScene::Content::refresh_surface(
   surface_.now.reset();
   const bool exists = surface_.source != nullptr && surface_.source->exists();
   if (exists) surface_.now = surface_.source->surface_at(p_world_viewer);
+  // A sea that has come or gone changes the tables of shapes and materials.
   if (exists != surface_.has_shape) {
     surface_.has_shape = exists;
     number();

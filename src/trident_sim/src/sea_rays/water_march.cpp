@@ -86,6 +86,8 @@ WaterHit WaterSurface::find_hit(const Ray& ray, double t_max) const {
   const double t_min = ray.t_min_m;
   const double z = ray.p_world_origin.z() - level_m_, dz = ray.direction_world.z();
   const double begin_z = z + t_min * dz;
+  // First the rays that cannot hit: they begin above
+  // or below all waves and lead away, or end before.
   double plane_from = t_min;
   if (tile_ == nullptr || begin_z > high_m_ || begin_z < low_m_) {
     hit.begins_below = begin_z < (tile_ == nullptr ? 0.0 : low_m_);
@@ -99,6 +101,7 @@ WaterHit WaterSurface::find_hit(const Ray& ray, double t_max) const {
     if (begin_z <= high_m_ && begin_z >= low_m_) {
       hit.begins_below = begin_z < cell_height(path.u + t_min * path.du, path.v + t_min * path.dv);
     }
+    // The sign makes the height above the surface positive on the side that the ray begins on.
     path.side = hit.begins_below ? -1.0 : 1.0;
     path.fades = fades_;
     const double t_far = far_m_ / std::max(ray.direction_world.head<2>().norm(), 1e-300);
@@ -116,6 +119,7 @@ WaterHit WaterSurface::find_hit(const Ray& ray, double t_max) const {
     if (t_far >= t_max) return hit;
     plane_from = std::max(t_min, t_far);
   }
+  // Beyond the waves that are drawn the water is a plane.
   const bool leads_there = hit.begins_below ? dz > 0.0 : dz < 0.0;
   if (!leads_there) return hit;
   const double t = std::max(-z / dz, plane_from);
@@ -134,6 +138,7 @@ WaterSurface::Found WaterSurface::walk(const Path& path, double t0, double t1) c
   std::int64_t column = floor_of((path.v + t0 * path.dv) / kSize);
   const std::int64_t row_step = path.du > 0.0 ? 1 : -1, column_step = path.dv > 0.0 ? 1 : -1;
   for (double t = t0;;) {
+    // Grid traversal after Amanatides and Woo 1987: into the square whose border comes first.
     const double next_row = static_cast<double>(row + (row_step > 0 ? 1 : 0)) * kSize;
     const double next_column = static_cast<double>(column + (column_step > 0 ? 1 : 0)) * kSize;
     const double t_row = path.du != 0.0 ? (next_row - path.u) * path.per_du : kNowhere;
@@ -199,6 +204,7 @@ WaterSurface::Found WaterSurface::intersect_cell(const Path& path, std::int64_t 
   const Patch cell = path.fades ? faded(corners, row, column) : even(corners);
   const double p = path.u + t0 * path.du - static_cast<double>(row);
   const double q = path.v + t0 * path.dv - static_cast<double>(column);
+  // A bilinear patch along a straight line is a quadratic in the distance.
   const double surface = cell.h + cell.h_u * p + (cell.h_v + cell.h_uv * p) * q;
   const double c = path.side * (path.z + t0 * path.dz - surface);
   double root = 0.0;

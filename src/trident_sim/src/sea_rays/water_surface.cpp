@@ -39,6 +39,7 @@ bool WaterSurface::follow(const Eigen::Vector3d& p_world_viewer) {
 void WaterSurface::find_tile(const Eigen::Vector2d& p_world_viewer) {
   tile_ = tiles_->tile(p_world_viewer, time_s_);
   if (fades_) shores_ = tiles_->shores(*waves_, tile_->key(), level_m_);
+  // Heights between the two ends of a tile's period are interpolated.
   weight_ = static_cast<float>(std::clamp(
       time_s_ / pattern_->period_s - static_cast<double>(tile_->key().period), 0.0, 1.0));
   // A trace more, so that rounding leaves nothing outside.

@@ -24,6 +24,8 @@ void add_pair(const FoldedWave& wave, Complex a, Complex b, ComplexGrid& grid) {
     grid.im[place] += static_cast<float>(0.5 * value.imag());
     grid.column_is_used[wrapped(column, grid.n)] = 1;
   };
+  // A real wave needs its conjugate at the opposite
+  // wave number; two real fields share one transform.
   add(wave.row, wave.column, a + i * b);
   add(-wave.row, -wave.column, std::conj(a) + i * std::conj(b));
 }
@@ -189,6 +191,7 @@ void WaterTileMaker::make(WaterTile& tile) {
                                       Moment{anchor, begin_s + pattern_.period_s}};
   tile.n_ = pattern_.n;
   tile.ends_.resize(pattern_.n * pattern_.n);
+  // Elevations at both ends of the period are the real and the imaginary part of one transform.
   transform_elevations(ends);
   if (pattern_.is_gerstner) {
     for (std::size_t end = 0; end < ends.size(); ++end) {

@@ -61,6 +61,7 @@ std::shared_ptr<const WaterTile> WaterTiles::tile(const Eigen::Vector2d& p_world
   const auto known = std::find_if(tiles_.begin(), tiles_.end(),
                                   [&](const auto& tile) { return tile->key() == key; });
   if (known != tiles_.end()) {
+    // The one that was used last is at the end; the first is the next to go.
     std::rotate(known, known + 1, tiles_.end());
   } else {
     tiles_.push_back(take_room(key.period));
@@ -134,6 +135,7 @@ std::shared_ptr<WaterTile> WaterTiles::take_room(std::int64_t period) {
 std::shared_ptr<const WaterShores> WaterTiles::shores(const WaveField& waves,
                                                       const WaterTile::Key& key, double level_m) {
   constexpr double kLevelStep_m = 0.1;
+  // A tide moves the shores in steps; what they say holds for all levels of a step.
   const auto level = static_cast<std::int64_t>(std::floor(level_m / kLevelStep_m));
   const auto known = std::find_if(shores_.begin(), shores_.end(), [&](const auto& other) {
     return other->anchor_row == key.anchor_row && other->anchor_column == key.anchor_column &&

@@ -18,6 +18,7 @@ WaterTransform::WaterTransform(std::size_t n)
       strip_re_(n * kStrip),
       strip_im_(n * kStrip),
       turned_(n) {
+  // Indices with their bits in reverse, by adding one from the highest bit down.
   for (std::size_t i = 1, reversed = 0; i < n; ++i) {
     std::size_t bit = n / 2;
     for (; (reversed & bit) != 0; bit /= 2) reversed ^= bit;
@@ -32,6 +33,7 @@ WaterTransform::WaterTransform(std::size_t n)
 }
 
 void WaterTransform::operator()(ComplexGrid& grid) {
+  // Columns, transposed, and columns again: the second pass does the rows and turns the grid back.
   transform_columns(grid, turned_);
   transform_columns(turned_, grid);
 }
@@ -41,6 +43,7 @@ void WaterTransform::transform_columns(const ComplexGrid& in, ComplexGrid& trans
     float* const re = &transposed.re[column * n_];
     float* const im = &transposed.im[column * n_];
     const auto used = in.column_is_used.begin() + static_cast<std::ptrdiff_t>(column);
+    // A sea's spectrum fills few of the wave numbers, so that whole strips are zero.
     if (std::all_of(used, used + kStrip, [](char is_used) { return is_used == 0; })) {
       std::fill_n(re, kStrip * n_, 0.0F);
       std::fill_n(im, kStrip * n_, 0.0F);
@@ -66,6 +69,7 @@ void WaterTransform::load_strip(const ComplexGrid& in, std::size_t column) {
   }
 }
 
+/// Radix-2 decimation in time (Cooley and Tukey), on the columns of a strip side by side.
 void WaterTransform::butterflies() {
   for (std::size_t half = 1; half < n_; half *= 2) {
     for (std::size_t k = 0; k < half; ++k) {

@@ -17,6 +17,7 @@ void NumberInput::poll(const World& world) {
   if (port_->count() == seen_) return;
   seen_ = port_->count();
   const double number = port_->at(seen_ - 1).value;
+  // NaN fails both comparisons.
   const bool is_good = number >= limits_.lo && number <= limits_.hi;
   if (is_good) {
     value_ = number;

@@ -21,6 +21,7 @@ constexpr double kGrazing_db = 6.03;  // knife_edge_loss_db(0)
 constexpr double kBeyond_m = 1e-4;
 // Steepest slope at which a wave goes around something.
 constexpr double kSteepest = 4.0;
+// Of the steepest slope, down to 1e-6.
 constexpr int kHalvings = 22;
 
 Ray ray_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
@@ -50,8 +51,10 @@ bool is_ground(const World& world, const RayShape& shape) {
 double Obstacles::loss_db(const End& a, const End& b, double wavelength_m) {
   const Frame frame = frame_of(a, b);
   if (frame.distance_m < 1e-3) return 0.0;
+  // By the shape's number; names are compared, as numbers change when models come and go.
   known_shapes_.resize(rays(world_, RayGeometry::kCollision).shapes().size());
   const Points points = path_points(a, b, frame, wavelength_m);
+  // Each path has two legs, from either end to a point of the disc about the middle.
   Walk paths;
   walk(a, b, points, &paths);
   walk(b, a, points, &paths);
@@ -206,6 +209,7 @@ double Obstacles::around_db(const End& a, const End& b, const Frame& frame, doub
   for (std::size_t i = 0; i < 3; ++i) {
     const double sum = from_a[i] + from_b[i];
     if (!std::isfinite(sum) || sum <= 0.0) continue;
+    // The edge is at the distance d1 from a where both slopes reach one height.
     const double d1_m = std::clamp(frame.distance_m * from_b[i] / sum, 1e-3,
                                    frame.distance_m - 1e-3 * frame.distance_m);
     const double v =

@@ -43,6 +43,7 @@ const SE3& RadioLinks::pose(int station) {
 double RadioLinks::distance_m(int a, int b) { return (pose(a).p - pose(b).p).norm(); }
 
 double RadioLinks::loss_db(int a, int b) {
+  // Paths are reciprocal, so that a pair is worked out once.
   const Key key{std::min(a, b), std::max(a, b)};
   const Eigen::Vector3d& p_first = pose(key.first).p;
   const Eigen::Vector3d& p_second = pose(key.second).p;
@@ -60,6 +61,7 @@ double RadioLinks::loss_db(int a, int b) {
 LinkLoss RadioLinks::present_loss(int a, int b) { return work_out(std::min(a, b), std::max(a, b)); }
 
 LinkLoss RadioLinks::work_out(int first, int second) {
+  // Once in a step, and only if a loss is asked for.
   if (!is_fresh_) rays(world_, RayGeometry::kCollision).refresh();
   is_fresh_ = true;
   const RadioEnd &a = end(first), &b = end(second);

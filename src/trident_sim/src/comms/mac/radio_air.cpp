@@ -46,6 +46,7 @@ void RadioChannel::begin(Transmission frame, LinkLosses& losses) {
   frame.begin_ns = now_ns_;
   note(static_cast<std::uint64_t>(now_ns_));
   note(static_cast<std::uint64_t>(frame.source));
+  // The source hears nothing while it sends; all others on its channel may.
   stop_listening(frame.source);
   set_busy(frame.source);
   source.is_sending = true;
@@ -80,6 +81,7 @@ void RadioChannel::hear(Transmission& frame, int listener, double loss_db) {
   for (Transmission& other : on_air_) {
     Reception* theirs = other.reception(listener);
     if (theirs == nullptr) continue;
+    // A segment of constant interference ends with each frame that begins.
     theirs->cut(now_ns_);
     theirs->interference_mw += own.signal_mw;
     own.interference_mw += theirs->signal_mw;
@@ -116,6 +118,7 @@ void RadioChannel::end(std::uint64_t id) {
       Reception* theirs = other.reception(own.station);
       if (theirs == nullptr) continue;
       theirs->cut(now_ns_);
+      // Rounding could leave a little less than nothing.
       theirs->interference_mw = std::max(theirs->interference_mw - own.signal_mw, 0.0);
     }
     if (own.is_locked) at(own.station).listens_to = 0;
@@ -157,6 +160,7 @@ void RadioChannel::end_unicast(Transmission& frame) {
   if (!source.attempt) return;
   const std::int64_t ack_ns = vht::ack_duration_ns(frame.mcs, frame.subframes);
   source.awaits = frame.id;
+  // The source waits for an acknowledgement and one slot more.
   plan(now_ns_ + vht::kSifs_ns + ack_ns + vht::kSlot_ns, EventKind::kTimeout, frame.source,
        frame.id);
   const Reception* reception = frame.reception(frame.destination);
@@ -190,6 +194,7 @@ std::size_t RadioChannel::receive(const Transmission& frame, const Reception& re
     const double success =
         reception.success(frame.mcs, bytes, frame.begin_ns + duration_ns * k / count,
                           frame.begin_ns + duration_ns * (k + 1) / count);
+    // Drawn by frame and subframe of the flow: what others send changes the chance, not the number.
     if (own.random.uniform(frame.frame, static_cast<std::uint32_t>(k)) >= success) continue;
     subframe.has_arrived = true;
     ++arrived;

@@ -60,6 +60,7 @@ int RadioChannel::add(const std::string& name, const RadioParams& params) {
 void RadioChannel::remove(int station) {
   RadioStation& gone = at(station);
   gone.is_present = false;
+  // Numbers of stations stay, as events and frames on the air refer to them.
   gone.attempt.reset();
   for (auto& queue : gone.queues) queue.clear();
 }
@@ -125,6 +126,7 @@ bool RadioChannel::send(const RadioPacket& packet) {
   const auto before_ns =
       static_cast<std::int64_t>(share * static_cast<double>(source.params.processing_ns));
   kept.processing_ns = source.params.processing_ns - before_ns;
+  // Packets of one user keep their order.
   source.arrival_ns = std::max(source.arrival_ns, packet.created_ns + before_ns);
   plan(source.arrival_ns, EventKind::kArrive, packet.source, kept.number);
   arriving_.emplace(kept.number, std::move(kept));
@@ -147,6 +149,7 @@ void RadioChannel::happen(const Event& event, LinkLosses& losses) {
     case EventKind::kArrive:
       return arrive(event.key);
     case EventKind::kAccess:
+      // An access that was planned before its backoff was frozen has an old generation.
       if (event.key == at(event.station).generation) access(event.station, losses);
       return;
     case EventKind::kEnd:
@@ -189,6 +192,7 @@ void RadioChannel::contend(int number) {
 void RadioChannel::set_busy(int number) {
   RadioStation& station = at(number);
   if (station.busy++ > 0 || station.access_ns == now_ns_) return;
+  // A frozen backoff continues with the slots that are left (IEEE 802.11's DCF).
   station.hold_backoff(now_ns_);
   station.access_ns = kNever_ns;
   ++station.generation;
@@ -205,6 +209,7 @@ void RadioChannel::access(int number, LinkLosses& losses) {
   RadioStation& station = at(number);
   station.access_ns = kNever_ns;
   station.slots = 0;
+  // Deadlines count when the channel is won: what waits in the queue may be too late by then.
   drop_expired(number);
   if (station.attempt && station.requests > 0) return begin(request_frame(number), losses);
   if (!prepare(number)) return;
@@ -315,6 +320,8 @@ Transmission RadioChannel::unicast_frame(int number) {
   RadioFlow& own = flow(number, attempt.destination);
   const RadioParams& params = station.params;
   std::size_t bytes = 0;
+  // Rate control wants to know the bytes before it chooses the mode that decides how many fit: they
+  // are those of the fastest mode that all widths have.
   fitting(attempt.subframes, params, {vht::kModes - 2, false}, &bytes);
   const RateChoice rate = params.mcs >= 0 ? RateChoice{params.mcs, false} : own.rate.choose(bytes);
   const std::size_t count = fitting(attempt.subframes, params, rate, &bytes);
@@ -325,6 +332,7 @@ Transmission RadioChannel::unicast_frame(int number) {
     ++attempt.subframes[i].tries;
   }
   auto& queue = station.queues[static_cast<std::size_t>(attempt.priority)];
+  // An attempt lasts until all of it has arrived or failed; what did not fit is no part of it.
   while (attempt.subframes.back().tries == 0) {
     queue.push_front(std::move(attempt.subframes.back().packet));
     attempt.subframes.pop_back();

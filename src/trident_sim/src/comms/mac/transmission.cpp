@@ -21,6 +21,7 @@ double Reception::success(int mcs, std::size_t bytes, std::int64_t begin_ns,
   for (const Segment& segment : segments) {
     const std::int64_t to = std::min(segment.end_ns, end_ns);
     if (to <= from) continue;
+    // Each segment has its part of the bits: success is the product of success_i^share_i.
     const double share = static_cast<double>(to - from) / static_cast<double>(end_ns - begin_ns);
     logarithm +=
         share * std::log1p(-std::min(packet_error_rate(mcs, segment.sinr_db, bytes), 1.0 - 1e-15));

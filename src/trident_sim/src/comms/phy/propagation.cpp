@@ -16,6 +16,7 @@ constexpr double kSpeedOfLight_m_s = 299792458.0;
 /// Of a wave that hits the water at a grazing angle, relative to the one that comes.
 std::complex<double> fresnel_coefficient(const OverWater& geometry, double sine) {
   const WaterMirror& water = geometry.water;
+  // The complex relative permittivity, eps_r - j 60 sigma lambda.
   const std::complex<double> eps(water.relative_permittivity,
                                  -60.0 * water.conductivity_s_m * geometry.wavelength_m);
   const std::complex<double> root = std::sqrt(eps - (1.0 - sine * sine));
@@ -28,6 +29,7 @@ std::complex<double> fresnel_coefficient(const OverWater& geometry, double sine)
 double wavelength_m(double frequency_hz) { return kSpeedOfLight_m_s / frequency_hz; }
 
 double free_space_loss_db(double distance_m, double wavelength_m) {
+  // Friis' equation holds in the far field only, hence the least distance.
   return 20.0 * std::log10(4.0 * kPi * std::max(distance_m, wavelength_m) / wavelength_m);
 }
 
@@ -45,6 +47,8 @@ double two_ray_loss_db(const OverWater& geometry) {
   const double direct_m = std::hypot(geometry.distance_m, difference_m);
   const double reflected_m = std::hypot(geometry.distance_m, sum_m);
   const double sine = sum_m / reflected_m;
+  // A rough surface reflects exp(-2 (2 pi sigma sin / lambda)^2) of the amplitude coherently (Ament
+  // 1953), with the standard deviation of the heights, Hs / 4.
   const double rough_m = geometry.water.significant_height_m / 4.0;
   const double phase_error = 2.0 * kPi * rough_m * sine / geometry.wavelength_m;
   const double coherent = std::exp(-2.0 * phase_error * phase_error);
@@ -69,6 +73,7 @@ double diffraction_parameter(double height_m, double d1_m, double d2_m, double w
 }
 
 double bulge_loss_db(double distance_m, double height1_m, double height2_m, double wavelength_m) {
+  // Waves bend in a standard atmosphere as if the Earth were larger by a third.
   constexpr double kEffectiveRadius_m = 4.0 / 3.0 * 6371e3;
   const double half_m = 0.5 * distance_m;
   const double path_m = 0.5 * (height1_m + height2_m);

@@ -63,6 +63,7 @@ bool RadioMedium::is_in_outage_region(int station) {
                      });
 }
 
+// Radios are found by their ports, so that robots may come and go without registering here.
 std::map<std::string, std::shared_ptr<const RadioEnd>> RadioMedium::present_ends() const {
   std::map<std::string, std::shared_ptr<const RadioEnd>> present;
   world_.ports().for_each([&present](const PortBase& port) {
@@ -80,6 +81,7 @@ void RadioMedium::look() {
   auto present = present_ends();
   for (auto known = numbers_.begin(); known != numbers_.end();) {
     const auto found = present.find(known->first);
+    // A model that was deleted and spawned under its old name is a new radio.
     const bool is_same = found != present.end() && found->second == own_[known->second];
     if (is_same) {
       present.erase(found);
@@ -129,10 +131,12 @@ void RadioMedium::follow_outages(SimTime now) {
         });
     const auto commanded = out_until_.find(name);
     const bool is_commanded = commanded != out_until_.end() && now < commanded->second;
+    // Outages by the plan of a file, by command and by place add up.
     channel_.set_out(number, is_planned || is_commanded || is_in_outage_region(number));
   }
 }
 
+// A link fails in both directions, so that a pair is kept under its names in order.
 RadioMedium::Pair RadioMedium::pair_of(const std::string& a, const std::string& b) {
   return {std::min(a, b), std::max(a, b)};
 }
@@ -155,6 +159,7 @@ void RadioMedium::drop_outages_of(const std::string& name) {
 
 void RadioMedium::step(const StepInfo& info) {
   look();
+  // Losses are not worked out while nobody sends.
   if (channel_.is_idle()) return;
   links_.follow();
   follow_outages(info.begin);
@@ -242,6 +247,8 @@ RadioLink RadioMedium::link(int source, int destination) {
   result.snr_db = result.rssi_dbm - noise_power_dbm(to.params.width_mhz, to.params.noise_figure_db);
   result.mcs = channel_.mcs(source, destination);
   result.rate_bit_s = rate_bit_s(from.name, to.name);
+  // An Ethernet frame's payload for the error rate; whether a link is up goes by a short frame in
+  // the slowest mode, as that of a hello.
   constexpr std::size_t kLongBytes = 1500, kShortBytes = 100;
   result.packet_error_rate = packet_error_rate(result.mcs, result.snr_db, kLongBytes);
   result.is_up = packet_error_rate(0, result.snr_db, kShortBytes) < 0.5;
@@ -289,6 +296,7 @@ void RadioMedium::reset() {
   out_until_.clear();
   cut_until_.clear();
   dropped_ = 0;
+  // No version that a board has, so that the next step looks for radios again.
   ports_version_ = ~std::uint64_t{0};
 }
 

@@ -50,7 +50,9 @@ int read_rate(const PluginParams& params, int fallback, int width_mhz) {
 
 /// What is not among the elements stays.
 void read_radio(const PluginParams& params, RadioParams* radio) {
+  // Read so that it counts as known: there is no other standard here.
   params.text("standard", "802.11ac");
+  // The 5 GHz band has channels 36 to 177.
   radio->channel = params.integer("channel", radio->channel, {36, 177});
   radio->width_mhz = params.choice("width", radio->width_mhz, {{"20", 20}, {"40", 40}, {"80", 80}});
   radio->tx_power_dbm = params.number("tx_power", radio->tx_power_dbm, {-30, 40});
@@ -161,6 +163,7 @@ void read_radio_air(const PluginParams& params, RadioAir* air) {
 
 ParamNode as_elements(const std::map<std::string, std::string>& texts) {
   ParamNode node;
+  // Keys of a rules file go through the same reader, limits and errors as elements of SDF.
   for (const auto& [name, text] : texts) node.children.push_back({name, text, {}, {}});
   return node;
 }

@@ -38,6 +38,7 @@ class RadioPlugin : public Plugin {
     end->T_link_antenna.p.z() += end->height_m;
     read_radio_end(params, end.get());
     end->outages = read_outages(params);
+    // That name is the destination of broadcasts.
     if (end->name == Radio::kAll) params.refuse("robotNamespace", end->name, "another name");
     end_ = advertise<RadioEndSample>(context, end->name + "/radio", PortRank::kState);
     const std::string name = end->name;
@@ -53,6 +54,7 @@ class RadioPlugin : public Plugin {
     const auto radio = find_radio(world_);
     if (radio == nullptr) return report_no_air();
     if (to_send_->count() == seen_) return;
+    // A port keeps its newest values only; packets that it has dropped are reported.
     const std::uint64_t kept = std::max(to_send_->oldest(), seen_);
     if (kept > seen_) report(std::to_string(kept - seen_) + " packets came in one step too many");
     for (seen_ = kept; seen_ < to_send_->count(); ++seen_) send(*radio, to_send_->at(seen_));

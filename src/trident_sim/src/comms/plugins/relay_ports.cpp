@@ -38,6 +38,7 @@ void RelayPorts::add_inputs(const std::vector<std::string>& robots) {
     for (std::size_t i = 0; i < rules.size(); ++i) {
       if (rules[i].is_service() || !rules[i].is_from(robot)) continue;
       const std::string name = robot + "/" + rules[i].topic;
+      // The simulator's own port has this name already, with another type.
       if (is_command(name)) {
         if (!reported_commands_.insert(name).second) continue;
         report(rules[i].text(i) + ": " + name + " is a command that the simulator reads itself, " +
@@ -74,6 +75,7 @@ void RelayPorts::add_outputs(const std::vector<std::string>& robots) {
 
 void RelayPorts::set_robots(const std::vector<std::string>& robots) {
   if (robots == robots_) return;
+  // Newcomers get what is latched; everything of robots that have gone is dropped.
   std::set_difference(robots.begin(), robots.end(), robots_.begin(), robots_.end(),
                       std::back_inserter(newcomers_));
   robots_ = robots;
@@ -103,6 +105,7 @@ void RelayPorts::set_robots(const std::vector<std::string>& robots) {
 
 void RelayPorts::offer(std::size_t rule, const std::string& robot, const BytesSample& sample,
                        SimTime now, Radio& radio) {
+  // The deadline counts from the stamp, never from a time to come.
   const SimTime born = sample.stamp.ns > 0 ? std::min(sample.stamp, now) : now;
   if (sample.is_latched && sample.data != nullptr) latched_[{rule, robot}] = sample;
   relay_.offer(rule, robot, {born, sample.data}, now, radio);
@@ -136,6 +139,7 @@ void RelayPorts::read(Input& input, SimTime now, Radio& radio) {
              "; its messages count as they come, so that a run with them does not repeat");
     }
     for (const std::size_t rule : input.rules) {
+      // A message of the next moments waits for its stamp, so that when it came in does not matter.
       if (use == StampUse::kAtItsStamp) {
         later_.push_back({rule, input.robot, sample});
       } else {
@@ -152,6 +156,7 @@ void RelayPorts::offer_due(SimTime now, Radio& radio) {
   });
   std::vector<Later> due(std::make_move_iterator(later_.begin()), std::make_move_iterator(rest));
   later_.erase(later_.begin(), rest);
+  // By stamp, and of one stamp by arrival: a repeatable order.
   std::stable_sort(due.begin(), due.end(),
                    [](const Later& a, const Later& b) { return a.sample.stamp < b.sample.stamp; });
   for (const Later& later : due) offer(later.rule, later.robot, later.sample, now, radio);
@@ -170,6 +175,7 @@ void RelayPorts::publish(const RelayDelivery& delivery) {
   OutPort<BytesSample>* const port = output->second.get();
   if (std::find(fresh_.begin(), fresh_.end(), port) == fresh_.end()) {
     fresh_.push_back(port);
+    // Several messages of one flow may arrive in a step: all but the last are buffered.
     port->clear_buffered();
   } else {
     port->buffer_sample();

@@ -40,6 +40,7 @@ std::uint64_t RelayPorts::call(const RelayService& service,
     const RelayRule& rule = rules[i];
     const bool is_it = rule.service == service.name && rule.is_from(service.caller) &&
                        rule.is_to(service.server) && service.caller != service.server;
+    // Names of robots are sorted.
     const bool are_there = std::binary_search(robots_.begin(), robots_.end(), service.caller) &&
                            std::binary_search(robots_.begin(), robots_.end(), service.server);
     if (!is_it || !are_there) continue;

@@ -47,6 +47,7 @@ std::optional<PartDatagram> decode_part(std::string_view bytes) {
   part.parts = fields.get<std::uint16_t>();
   part.born.ns = fields.get<std::int64_t>();
   part.data = fields.rest();
+  // No parts at all is a skip: it only says which number is the oldest that is still offered.
   const bool is_part = part.part < part.parts || (part.part == 0 && part.parts == 0);
   if (kind != kPart || !fields.is_whole() || !is_part) return std::nullopt;
   return part;

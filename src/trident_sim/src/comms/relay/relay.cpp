@@ -73,6 +73,7 @@ bool Relay::thin(const RelayRule& rule, Topic* topic, SimTime now) {
   if (rule.max_rate_hz <= 0.0) return false;
   if (now < topic->due) return true;
   const SimTime period = SimTime::from_seconds(1.0 / rule.max_rate_hz);
+  // The next due time is a period after the last one as long as messages come regularly.
   topic->due = now - topic->due < period ? topic->due + period : now + period;
   return false;
 }
@@ -158,6 +159,7 @@ void Relay::send_once(const Key& key, const RelayMessage& message, std::uint64_t
   RadioQos qos;
   qos.port = kRelayPort;
   qos.priority = rule.priority;
+  // The radio drops what has become too late in its queue.
   qos.deadline_s = time_left_s(rule, message, now);
   if (qos.deadline_s < 0.0) {
     ++counts.expired;
@@ -173,6 +175,8 @@ void Relay::send_once(const Key& key, const RelayMessage& message, std::uint64_t
   part.born = message.born;
   part.parts = static_cast<std::uint16_t>(part_count(message.data->size()));
   bool is_sent = true;
+  // Without acknowledgements a message of which one part is lost is lost, so that the rest of one
+  // that the queue refuses is not sent.
   for (; part.part < part.parts && is_sent; ++part.part) {
     part.data = std::string_view(*message.data).substr(part.part * kPartBytes, kPartBytes);
     qos.history.is_begin = part.part == 0;
@@ -233,6 +237,7 @@ bool Relay::is_for(const PartDatagram& part, const std::string& receiver) const 
 void Relay::take(const std::string& receiver, const RadioMessage& packet,
                  std::vector<RelayDelivery>* deliveries) {
   if (const auto part = decode_part(packet.data)) {
+    // Broadcasts reach robots that a rule does not name.
     if (!is_for(*part, receiver)) return;
     take_part({part->rule, packet.source, receiver}, *part, packet.received, deliveries);
   } else if (const auto ack = decode_ack(packet.data)) {
@@ -260,6 +265,7 @@ std::vector<RelayDelivery> Relay::receive(SimTime now, Radio& radio) {
       take(robot, packet, &deliveries);
     }
   }
+  // After all of a step's packets: one acknowledgement stands for them.
   acknowledge(now, radio);
   std::stable_sort(deliveries.begin(), deliveries.end(),
                    [](const auto& a, const auto& b) { return a.received < b.received; });

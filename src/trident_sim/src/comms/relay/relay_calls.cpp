@@ -64,6 +64,7 @@ std::uint64_t RelayCalls::begin(const Relay::Key& key, const std::string& reques
   const std::uint64_t number = next_++;
   CallCounts& counts = counts_[key];
   ++counts.called;
+  // A call that is refused has a number and a result as well, so that its caller does not wait.
   const auto call = calls_.emplace(number, Call{key, now, Stage::kRequested}).first;
   if (!has_room) {
     ++counts.refused;
@@ -89,6 +90,7 @@ void RelayCalls::take(const RelayDelivery& delivery, SimTime end_of_step,
   const RelayRule& rule = rules[key.rule];
   if (message->kind == CallMessageKind::kRequest) {
     call->second.stage = Stage::kServed;
+    // The answer leaves at the end of this step, or after the rule's delay.
     served_.push_back({call->first,
                        {rule.text(key.rule), key.source, key.destination, rule.service},
                        std::make_shared<const std::string>(message->data),
@@ -116,10 +118,12 @@ void RelayCalls::answer(const CallResult& answer, Relay* relay) {
   const Relay::Key back{key.rule, key.destination, key.source};
   const CallMessageKind kind =
       answer.is_answered ? CallMessageKind::kAnswer : CallMessageKind::kError;
+  // Request and answer share the deadline of the call.
   const SimTime born = call->second.begun;
   if (relay->post(back, encode({kind, answer.number, *answer.data}), born)) return;
   const std::string error = "its answer has " + std::to_string(answer.data->size()) +
                             " bytes, legal: at most " + std::to_string(kMaxCallBytes);
+  // The caller learns of an answer that is too large by an error, which is short.
   relay->post(back, encode({CallMessageKind::kError, answer.number, error}), born);
 }
 

@@ -63,6 +63,7 @@ void RelayNetwork::send_hellos(SimTime now, Radio& radio) {
     if (known == routers_.end()) {
       RouterParams params;
       params.is_base_station = radio.limits(robot).is_base_station;
+      // At time zero nobody can remember a router of that name.
       const SimTime from = now.ns > 0 ? now + kSilence : now;
       known = routers_.emplace(robot, Node{Router(robot, params), from}).first;
     }
@@ -86,6 +87,7 @@ std::string RelayNetwork::next_hop(const std::string& robot, const std::string& 
 bool RelayNetwork::send(const std::string& source, const std::string& destination, std::string data,
                         const RadioQos& qos, SimTime now, Radio& radio) {
   const std::string hop = destination == Radio::kAll ? destination : next_hop(source, destination);
+  // A neighbor is reached without the overhead of forwarding.
   if (hop == destination) return radio.send(source, destination, std::move(data), qos);
   ForwardDatagram forward;
   forward.hops = kMaxHops;
@@ -99,6 +101,7 @@ bool RelayNetwork::send(const std::string& source, const std::string& destinatio
 
 void RelayNetwork::pass_on(const std::string& robot, ForwardDatagram forward, SimTime now,
                            Radio& radio) {
+  // A datagram that wanders, or whose destination has gone, is dropped silently.
   if (forward.hops == 0 || !has(robots_, forward.destination)) return;
   --forward.hops;
   RadioQos qos;
@@ -116,6 +119,7 @@ void RelayNetwork::hear_hellos(const std::string& robot, Radio& radio) {
   const auto node = routers_.find(robot);
   if (node == routers_.end()) return;
   for (const RadioMessage& hello : radio.receive(robot, kHelloPort)) {
+    // The rate towards the sender counts, as packets go against the direction of its hello.
     node->second.router.hear(hello.data, hello.source, radio.rate_bit_s(robot, hello.source),
                              hello.received);
   }
@@ -144,6 +148,7 @@ std::vector<std::string> RelayNetwork::route(const std::string& source,
   while (result.back() != destination && result.size() <= kMaxHops) {
     const auto node = routers_.find(result.back());
     if (!has_routing_ || node == routers_.end()) {
+      // Without routing everybody sends to the destination itself.
       result.push_back(destination);
       continue;
     }

@@ -28,6 +28,7 @@ void ReliableSender::add(const RelayMessage& message, std::uint64_t passed, Rela
     part.parts = static_cast<std::uint16_t>(parts);
     parts_.push_back(std::move(part));
   }
+  // As a publisher's queue: the oldest message makes room for the newest.
   if (++messages_ > depth_) give_up_front(passed, &counts->superseded);
 }
 
@@ -36,6 +37,7 @@ void ReliableSender::give_up_front(std::uint64_t passed, std::uint64_t* count) {
   const Part& front = parts_.front();
   const std::uint64_t last = first_ + front.parts - 1U - front.part;
   if (last >= passed) ++*count;
+  // A message is given up with all of its parts.
   do {
     parts_.pop_front();
     ++first_;
@@ -44,6 +46,7 @@ void ReliableSender::give_up_front(std::uint64_t passed, std::uint64_t* count) {
 }
 
 void ReliableSender::measure(SimTime round_trip) {
+  // Smoothed round trip and its variation by RFC 6298, 2.2 and 2.3, with gains of 1/8 and 1/4.
   if (round_trip_.ns == 0) {
     round_trip_ = round_trip;
     variation_.ns = round_trip.ns / 2;
@@ -71,10 +74,12 @@ void ReliableSender::acknowledge(const AckDatagram& ack, SimTime now) {
     if (number >= first_ && number < end) note_arrival(&parts_[number - first_], now);
   }
   if (ack.next > acknowledged_ || !ack.beyond.empty()) {
+    // News from the receiver restart the timer; what was doubled by timeouts is forgotten.
     timeout_ = {std::max(round_trip_.ns + 4 * variation_.ns, kMinTimeout.ns)};
     timer_ = now;
   }
   acknowledged_ = std::max(acknowledged_, ack.next);
+  // What is acknowledged beyond a gap stays until the gap is closed.
   while (!parts_.empty() && first_ < acknowledged_) {
     if (parts_.front().part + 1 == parts_.front().parts) --messages_;
     parts_.pop_front();
@@ -108,6 +113,8 @@ std::optional<std::size_t> ReliableSender::choose(SimTime now) {
   is_probe_ = unanswered > 0 && now - timer_ >= timeout_;
   if (is_probe_) return oldest;
   is_first_ = unanswered == 0;
+  // The window bounds what is on the air, and four of
+  // them what the receiver has to hold behind a gap.
   const bool has_room = fresh && unanswered < kWindow && *fresh < 4 * kWindow;
   return has_room ? fresh : std::nullopt;
 }
@@ -146,6 +153,7 @@ std::optional<PartDatagram> ReliableSender::next(SimTime now, std::uint64_t pass
 void ReliableSender::sent(SimTime now, RelayCounts* counts) {
   ++counts->datagrams;
   if (is_probe_ || is_skip_chosen_) {
+    // Backoff by RFC 6298, 5.5.
     timeout_ = {std::min(2 * timeout_.ns, kMaxTimeout.ns)};
     timer_ = now;
   }
@@ -174,6 +182,7 @@ void ReliableReceiver::take(const PartDatagram& part, SimTime now, std::uint64_t
   }
   for (auto at = waiting_.begin(); at != waiting_.end() && at->first == next_;
        at = waiting_.erase(at), ++next_) {
+    // A part before this message was given up, with what had come of that message.
     if (at->second.part == 0) begun_.clear();
     begun_ += at->second.data;
     if (at->second.part + 1 < at->second.parts) continue;

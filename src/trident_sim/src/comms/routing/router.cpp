@@ -68,7 +68,9 @@ bool Router::hear(std::string_view hello_bytes, const std::string& sender, doubl
   neighbor.heard = now;
   neighbor.heard_by_it = 0;
   neighbor.window.add(hello->number);
+  // A hello has all offers of its sender: what is not in it is withdrawn.
   neighbor.offers.assign(robots_.size(), RouteOffer{});
+  // A robot is its own destination at no cost.
   neighbor.offers[from] = {{hello->sequence, 0}, 0};
   for (const HelloEntry& entry : hello->entries) take_entry(entry, from);
   // Entries may have brought robots that move the others in memory.
@@ -121,6 +123,7 @@ Router::Choice Router::choose(std::size_t destination, bool* is_starved) const {
     if (destination >= neighbor.offers.size()) continue;
     const RouteOffer& offer = neighbor.offers[destination];
     if (!offer.is_route() || offer.metric_ns >= kNoMetric - neighbor.cost_ns) continue;
+    // The feasibility condition (RFC 8966, 3.5.1) keeps routes free of loops.
     if (!offer.feasibility.is_better_than(route.feasibility)) {
       has_forbidden = true;
       continue;

@@ -65,6 +65,7 @@ void ConstraintSolver::choose_warm(Pass pass) {
     if (!active_[island]) continue;
     touch.normal_n = kUnknown;
     touch.limiting_normal_n = touch.known_normal_n[static_cast<std::size_t>(pass)];
+    // One new contact changes the forces of all others of its island.
     if (std::isnan(touch.limiting_normal_n)) is_warm_[island] = 0;
   }
 }
@@ -83,6 +84,7 @@ void ConstraintSolver::state(StateArchive& archive) { archive(memory_); }
 void ConstraintSolver::renumber(const std::vector<EngineBody*>& before,
                                 const std::vector<EngineBody*>& now) {
   const std::unordered_map<const EngineBody*, std::size_t> numbers = places_in(now);
+  // Bodies are numbered again when models come or go; the memory of those that stay is kept.
   const auto follow = [&](std::size_t& number) {
     if (number == ContactMemory::kWorld) return true;
     const auto found = numbers.find(before[number]);

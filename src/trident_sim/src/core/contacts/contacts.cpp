@@ -92,6 +92,7 @@ Contact contact_of(const EngineGeom& a, const EngineBody* body_a, const EngineGe
 }
 
 bool may_collide(const EngineBody& a, const EngineBody& b) {
+  // As in Gazebo, links of a model collide only with <self_collide>, and never across a joint.
   if (a.owner == b.owner && !a.self_collide) return false;
   if (a.frozen || b.frozen) return false;
   return dAreConnectedExcluding(a.ode, b.ode, dJointTypeContact) == 0;
@@ -152,10 +153,12 @@ void PhysicsEngine::sweep_bodies(double dt_s) {
   for (std::size_t k = 0; k < order_.size(); ++k) {
     const std::size_t i = order_[k];
     const double high = centers_[i].x() + bodies_[i]->bound_radius_m;
+    // Sweep and prune along x: later bodies begin beyond this one's end.
     for (std::size_t m = k + 1; m < order_.size() && low_x(order_[m]) <= high; ++m) {
       const std::size_t j = order_[m];
       const double reach = bodies_[i]->bound_radius_m + bodies_[j]->bound_radius_m;
       if ((centers_[i] - centers_[j]).squaredNorm() > reach * reach) continue;
+      // In order of the bodies' numbers: which one is first decides signs and sums in the solver.
       collide_bodies(*bodies_[std::min(i, j)], *bodies_[std::max(i, j)], dt_s);
     }
   }
@@ -166,6 +169,7 @@ void PhysicsEngine::collide_with_static(EngineBody& body, const Eigen::Vector3d&
   bool pushed = false;
   for (const StaticGeom& other : statics_) {
     if (!reaches(center, body.bound_radius_m, other)) continue;
+    // ODE's copy of a pose is brought up to date only where it is needed.
     if (!pushed) push(body);
     pushed = true;
     for (EngineGeom& geom : body.geoms) collide_geoms(geom, &body, *other.geom, nullptr, dt_s);
@@ -191,6 +195,7 @@ void PhysicsEngine::collide_geoms(EngineGeom& a, EngineBody* body_a, EngineGeom&
   const int found = dCollide(a.id, b.id, static_cast<int>(contact_buffer_.size()),
                              &contact_buffer_[0].geom, sizeof(dContact));
   if (found == 0) return;
+  // Shapes were grown by their margins for the search; depths are those of the true shapes.
   double deepest_m = -kInfinity;
   for (int i = 0; i < found; ++i) {
     dContactGeom& contact = contact_buffer_[static_cast<std::size_t>(i)].geom;
@@ -237,6 +242,7 @@ Correction PhysicsEngine::correct(const EngineGeom& a, EngineBody* body_a, const
 void PhysicsEngine::report_contacts() {
   reported_contacts_.clear();
   for (const Watched& watched : watched_) {
+    // f1 is the force on the first body, in world axes.
     const dReal* const force = solver_->touches()[watched.touch].feedback.f1;
     Contact contact = watched.contact;
     contact.force_world = {force[0], force[1], force[2]};

@@ -11,8 +11,11 @@
 namespace trident::sim {
 namespace {
 
+/// ODE aborts the process at an assertion; here it unwinds to
+/// the job that it was in, and the step is reported as failed.
 struct BrokenOff {};
 
+/// ODE's callbacks have no context: each thread knows whose step it is in.
 thread_local OdeStepper* stepping = nullptr;
 thread_local bool is_in_job = false;
 
@@ -39,6 +42,7 @@ const dThreadingFunctionsInfo& OdeStepper::functions() {
     plain_functions = dThreadingImplementationGetFunctions(any);
     dThreadingFreeImplementation(any);
     guarded = *plain_functions;
+    // All functions but this are ODE's own; it wraps each job in a try block.
     guarded.post_call = post;
   });
   return guarded;

@@ -38,6 +38,7 @@ std::optional<PhysicsEngine::Overlap> PhysicsEngine::deepest_overlap(const Model
   std::optional<Overlap> deepest;
   for (const auto& own_body : model.bodies) {
     const EngineBody* const body = engine_body(own_body.get());
+    // Without shapes.
     if (body->bound_radius_m <= 0.0) continue;
     push(*body);
     for (const StaticGeom& other : statics_) {

@@ -29,6 +29,7 @@ const std::vector<std::string>& field_names() {
 
 /// std::from_chars, which no locale changes; it knows no plus sign.
 std::optional<double> parse_number(std::string_view word) {
+  // A sign is taken off once: "+-1" is no number.
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -196,6 +197,7 @@ WindGrid read_wind_grid(const std::string& path) {
   grid.bottom_z_m = file.list("bottom_z", columns, "n_x n_y");
   grid.top_z_m = file.list("top_z", columns, "n_x n_y");
   check_heights(file, grid);
+  // Values come in layers from the ground up; in a layer x runs fastest.
   const std::size_t points = columns * grid.n_z();
   const std::string points_text = "n_x n_y times the number of vertical_spacing_factors";
   const auto& u = file.list("u", points, points_text);

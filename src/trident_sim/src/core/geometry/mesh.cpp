@@ -28,6 +28,8 @@ class MeshReader {
   }
 
  private:
+  // Parts are placed by the transforms of all nodes
+  // above them; scale is applied last, in mesh axes.
   void add_node(const aiNode& node, const aiMatrix4x4& T_root_parent) {
     const aiMatrix4x4 T_root_node = T_root_parent * node.mTransformation;
     for (unsigned m = 0; m < node.mNumMeshes; ++m) {
@@ -76,6 +78,7 @@ class MeshReader {
 
   void add_faces(const aiMesh& part, std::uint32_t first) {
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
+      // Triangulation leaves points and lines as they are; they have no surface.
       if (part.mFaces[f].mNumIndices != 3) continue;
       for (int i = 0; i < 3; ++i) mesh_.indices.push_back(first + part.mFaces[f].mIndices[i]);
       if (detail_ == MeshDetail::kLook) mesh_.triangle_materials.push_back(part.mMaterialIndex);
@@ -121,6 +124,7 @@ class MeshReader {
 
 TriangleMesh read_mesh(const MeshShape& shape, MeshDetail detail) {
   Assimp::Importer importer;
+  // As Gazebo: vertices are taken as they are, whatever axis the file calls up.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene =
       importer.ReadFile(shape.file, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);

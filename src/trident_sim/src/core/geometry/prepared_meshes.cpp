@@ -17,6 +17,7 @@ using Key = std::tuple<std::string, double, double, double>;
 /// What is read and not yet taken, with the number of objects that wait for it to be.
 struct Store {
   std::mutex mutex;
+  // A mesh that two collisions use is read, and taken, twice.
   std::multimap<Key, TriangleMesh> meshes;
   int users = 0;
 };

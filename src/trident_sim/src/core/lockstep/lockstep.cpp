@@ -17,6 +17,7 @@ void LockstepVehicle::remember(SimTime stamp) {
 /// Of the last kRemembered stamps each is known; before those any stamp since the first one counts.
 bool LockstepVehicle::was_sent(SimTime stamp) const {
   if (sent_count_ > kRemembered) {
+    // A ring: the place that is written next has the oldest stamp.
     const SimTime oldest{sent_[sent_count_ % kRemembered]};
     if (stamp < oldest) return stamp >= first_sent_;
   }
@@ -29,6 +30,7 @@ bool LockstepVehicle::on_state(SimTime stamp, WallTime now) {
     remember(stamp);
     return true;
   }
+  // One state is in flight at a time: the next one goes when it was answered.
   waiting_.push_back(stamp);
   if (in_flight_) return false;
   in_flight_ = true;
@@ -41,6 +43,7 @@ bool LockstepVehicle::on_state(SimTime stamp, WallTime now) {
 LockstepVehicle::Answer LockstepVehicle::on_answer(SimTime stamp, WallTime now) {
   if (!was_sent(stamp)) return Answer::kForeign;
   if (!enrolled_) {
+    // The first answer to any state that was sent enrolls: from now on the world waits.
     enrolled_ = true;
     return Answer::kEnrolled;
   }
@@ -107,6 +110,8 @@ void SetpointSources::release(const std::string& node) { sources_.erase(node); }
 
 bool SetpointSources::on_setpoint(const std::string& vehicle, SimTime stamp, bool replaces) {
   SimTime& covered = covered_.try_emplace(vehicle, SimTime{-1}).first->second;
+  // A source that takes back what it has sent covers the time up to its new stamp only, until it
+  // has sent again as far as before.
   if (replaces && stamp < covered) {
     replaced_[vehicle] = stamp;
     return feeds(vehicle);
@@ -167,6 +172,7 @@ std::vector<std::string> SetpointSources::missing(const std::string& node, SimTi
 SimTime SetpointSources::end() const {
   SimTime latest{0};
   for (const auto& [node, source] : sources_) {
+    // One source without an end, and the run has no end.
     if (source.end.ns == 0) return {0};
     latest = std::max(latest, source.end);
   }

@@ -74,6 +74,7 @@ std::map<std::string, OgreMaterial> make_table() {
 }  // namespace
 
 const OgreMaterial* find_ogre_material(const std::string& name) {
+  // Gazebo's scripts need not be installed.
   static const std::map<std::string, OgreMaterial> table = make_table();
   const auto it = table.find(name);
   return it == table.end() ? nullptr : &it->second;

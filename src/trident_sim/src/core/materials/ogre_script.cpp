@@ -139,6 +139,7 @@ class Parser {
       statement.words.push_back(tokens_[at_++].text);
     }
     skip_lines();
+    // The brace may stand in the next line.
     if (!sees("{")) return statement;
     ++at_;
     statement.block = read_block(depth + 1);
@@ -171,6 +172,7 @@ void read_color(const Statement& pass, const char* name, const std::string& labe
   const Statement* const statement = pass.find(name);
   if (statement == nullptr) return;
   const std::optional<std::vector<double>> numbers = numbers_of(*statement);
+  // As "ambient vertexcolour", which takes the colors of the vertices.
   if (!numbers) return;
   const std::vector<double>& rgba = *numbers;
   if (rgba.size() < 3) {
@@ -223,6 +225,7 @@ std::vector<std::string> scripts_in(const std::string& path) {
   for (const auto& entry : fs::directory_iterator(path, ignored)) {
     if (is_script(entry.path())) files.push_back(entry.path().string());
   }
+  // The order of a directory differs between file systems.
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -236,6 +239,7 @@ std::map<std::string, OgreMaterial> parse_ogre_script(const std::string& text,
     if (!statement.is("material")) continue;
     const auto [name, parent] = names_of(statement);
     OgreMaterial material = inherited(parent, materials);
+    // Later techniques are for weaker hardware, later passes are drawn over the first.
     const Statement* const technique = statement.find("technique");
     const Statement* const pass = technique != nullptr ? technique->find("pass") : nullptr;
     if (pass != nullptr) read_pass(*pass, label, material);
@@ -245,6 +249,7 @@ std::map<std::string, OgreMaterial> parse_ogre_script(const std::string& text,
 }
 
 const OgreScripts::Materials& OgreScripts::read(const std::string& file, const WarningSink& warn) {
+  // A script is read once, and one that cannot be read is reported once.
   const auto [known, is_new] = files_.try_emplace(file);
   if (!is_new) return known->second;
   std::ifstream stream(file);

@@ -40,6 +40,7 @@ ScriptPaths find_script_paths(const sdf::ElementPtr& script, const ConvertContex
   auto uri = script->HasElement("uri") ? script->GetElement("uri") : nullptr;
   for (; uri; uri = uri->GetNextElement("uri")) {
     const auto text = uri->Get<std::string>();
+    // Gazebo's own materials are known here without their file.
     const bool is_gazebos = std::filesystem::path(text).filename() == "gazebo.material";
     const std::string path = context.resources.find(text, context.base_folder);
     if (!path.empty()) {
@@ -169,6 +170,7 @@ void convert_look(const sdf::Visual& from, const std::string& what, const Conver
   Material& material = visual.material;
   material.is_given = true;
   read_color(element, "diffuse", material.diffuse);
+  // SDF's default of ambient is black, with which a surface would vanish in the shade.
   material.ambient = material.diffuse;
   read_color(element, "ambient", material.ambient);
   read_color(element, "specular", material.specular);

@@ -180,6 +180,7 @@ class Builder {
     for (std::size_t i = 0; i < spec_.links.size(); ++i) {
       Link& link = *model_.links[i];
       for (const CollisionSpec& spec : spec_.links[i].collisions) {
+        // One odd collision is left out, or refused, as the world's policy says.
         guard_([&] { add_collision(link, spec); });
       }
     }
@@ -208,6 +209,7 @@ class Builder {
       throw Error("collision '" + name + "' is a " + kind + " on a link that moves; a " + kind +
                   " must be static");
     }
+    // ODE moves the geometry with its body; the offset is from the center of mass.
     dGeomSetBody(geom.id, body.ode);
     dGeomSetOffsetPosition(geom.id, T_body_shape.p.x(), T_body_shape.p.y(), T_body_shape.p.z());
     const dQuaternion q = {T_body_shape.R.w(), T_body_shape.R.x(), T_body_shape.R.y(),
@@ -254,6 +256,7 @@ class Builder {
 
   void make_joints() {
     for (const JointSpec& spec : spec_.joints) make_joint(spec);
+    // Joints take the present poses as their zero.
     place_as_spawned(model_);
     for (Joint* joint : pending_) {
       if (joint->spec.type == JointType::kGearbox) add_shaft(*joint);
@@ -313,6 +316,7 @@ void PhysicsEngine::build(Model& model, const std::vector<std::string>& rotor_jo
   try {
     Builder(model, rotor_joints, world_, guard).run();
   } catch (...) {
+    // What was made so far is in ODE's world and must go.
     destroy(model);
     throw;
   }

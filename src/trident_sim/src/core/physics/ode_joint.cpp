@@ -27,6 +27,7 @@ std::shared_ptr<OdeJoint> own(dJointID id) {
 constexpr int kSecondGroup = 0x100;
 
 void set_limits(dJointID joint, SetParam set, int group, const AxisSpec& spec, double scale = 1.0) {
+  // A left-handed thread has a negative scale, which exchanges the limits.
   const double lo = scale * (scale > 0.0 ? spec.lower : spec.upper);
   const double hi = scale * (scale > 0.0 ? spec.upper : spec.lower);
   if (std::isfinite(lo)) set(joint, dParamLoStop + group, lo);
@@ -54,6 +55,8 @@ void attach(dJointID joint, const Body* child, const Body* parent) {
 dJointID make_motor(dWorldID world, const Body& shaft, const Body* other, int axes) {
   const dJointID motor = dJointCreateAMotor(world, nullptr);
   dJointAttach(motor, ode_of(&shaft), ode_of(other));
+  // Axes are set by this file in each step, in world coordinates; a motor without limit on its
+  // torque that is to stand still is a constraint.
   dJointSetAMotorMode(motor, dAMotorUser);
   dJointSetAMotorNumAxes(motor, axes);
   for (int i = 0; i < axes; ++i) {
@@ -119,6 +122,7 @@ void update_screw(const Joint& joint, double erp) {
   const Eigen::Vector3d p = T_to * axis.p_to_anchor + radius * out, q = p - rod;
   const bool is_to_first = axis.to != nullptr;
   const Eigen::Vector3d one = is_to_first ? p : q, two = is_to_first ? q : p;
+  // Travel that the angle does not account for is drift, which the rod's length takes back.
   const double error = axis.length() - k * joint.position();
   const dJointID ball = joint.ode->more[0];
   dJointSetDBallAnchor1(ball, one.x(), one.y(), one.z());
@@ -224,6 +228,8 @@ void destroy_ode_joint(Joint& joint) {
 }
 
 std::unique_ptr<Body> make_shaft(const Model& model, const Joint& joint, dWorldID world) {
+  // The shaft is no part of the model and must not slow
+  // it; lighter ones worsen the solver's condition.
   constexpr double kLight = 1e-4;
   auto shaft = std::make_unique<EngineBody>();
   shaft->name = model.name + "::" + joint.spec.name + "::shaft";

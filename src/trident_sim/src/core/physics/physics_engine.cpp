@@ -21,6 +21,8 @@ bool is_constrained(const EngineBody& body) { return body.joint_count > 0 || bod
 void pull_down(EngineBody& body, const Eigen::Vector3d& gravity) {
   const Eigen::Vector3d weight = body.composite.weight_kg * gravity;
   body.force += weight;
+  // Where links of the body have their gravity switched
+  // off, the weight does not act at the center of mass.
   if (!body.composite.p_weight.isZero(0.0))
     body.torque += (body.R_world_body * body.composite.p_weight).cross(weight);
 }
@@ -90,6 +92,7 @@ void PhysicsEngine::set_models(const std::vector<Model*>& models) {
   ode_joints_.clear();
   rotors_.joints.clear();
   rotors_.carriers.clear();
+  // Everything is listed again: the order of the models decides that of the solver's sums.
   statics_.clear();
   reported_contacts_.clear();
   for (Model* model : models) {
@@ -122,6 +125,7 @@ void PhysicsEngine::state(StateArchive& archive) {
 void PhysicsEngine::begin_step() {
   for (EngineBody* body : bodies_) {
     body->in_contact = false;
+    // A body that diverges in this step returns to here.
     body->before.T_world_body = body->T_world_body;
     body->before.v_world = body->v_world;
     body->before.w_world = body->w_world;
@@ -152,6 +156,8 @@ void PhysicsEngine::end_step() {
 
 void PhysicsEngine::step(double dt_s) {
   init_ode();  // of this thread
+  // Rotors and gravity load the bodies, contacts decide which of them are free, free ones are
+  // integrated here and all others by the solver.
   load_rotors(dt_s);
   begin_step();
   find_contacts(dt_s);
@@ -184,6 +190,7 @@ void PhysicsEngine::load_rotors(double dt_s) {
     Eigen::Vector3d reaction = Eigen::Vector3d::Zero();
     for (std::size_t i = carrier.first; i < carrier.last; ++i) {
       const Joint& joint = *rotors_.joints[i];
+      // Angular momentum of the rotors, for the gyroscopic torque on their carrier.
       body.rotor_momentum += joint.rotor_inertia.axial * joint.rotor_velocity * joint.axis_body;
       if (rotors_.axes_lag) reaction += rotor_axis_reaction(joint, spec_.erp, dt_s);
     }

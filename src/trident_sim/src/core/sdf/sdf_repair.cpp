@@ -15,6 +15,7 @@
 namespace trident::sim {
 namespace {
 
+/// Each cut costs another read of the whole text.
 constexpr int kMaxCuts = 100;
 
 std::string text_of(const std::string& element) {
@@ -97,6 +98,7 @@ std::string describe(const Failure& failure, const std::string& text, const std:
 /// Whether libsdformat reads the text, its includes aside.
 bool is_readable(const std::string& text, sdf::Errors& errors) {
   sdf::ParserConfig config;
+  // Includes are followed elsewhere, and a missing one is no fault of this text.
   config.SetFindCallback([](const std::string&) { return std::string(); });
   errors.clear();
   const bool is_read = sdf::readString(text, config, make_document(text), errors);

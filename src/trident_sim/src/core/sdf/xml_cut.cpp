@@ -98,6 +98,7 @@ std::string cut_element(std::string& xml, int line, const std::string& name, int
     }
     const std::size_t end = element_end(xml, at);
     std::string cut = xml.substr(at, end - at);
+    // Line breaks stay, so that what is read later has its own line numbers.
     std::replace_if(
         xml.begin() + static_cast<std::ptrdiff_t>(at),
         xml.begin() + static_cast<std::ptrdiff_t>(end), [](char c) { return c != '\n'; }, ' ');

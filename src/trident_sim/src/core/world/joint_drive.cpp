@@ -43,6 +43,7 @@ void validate(const PidGains& gains, const std::string& what) {
 }
 
 double Pid::update(double error, double error_rate, double dt_s) {
+  // The integral is kept as an effort: its clamp stops windup, and a change of gain makes no bump.
   integral_effort_ = std::clamp(integral_effort_ + gains_.i * error * dt_s, -gains_.integral_limit,
                                 gains_.integral_limit);
   return std::clamp(gains_.p * error + integral_effort_ + gains_.d * error_rate,

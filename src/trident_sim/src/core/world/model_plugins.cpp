@@ -18,6 +18,7 @@ std::unique_ptr<Model> World::build_model(ModelSpec spec, const std::string& rob
   std::vector<PluginSpec> plugins = std::move(spec.plugins);
   spec.plugins.clear();
   model->spec = std::move(spec);
+  // Before the bodies are built: a rotor joint decides which links share one.
   std::vector<std::string> rotor_joints;
   for (const PluginSpec& plugin : plugins) {
     const PluginFactory* factory = registry_.find_or_load(plugin.filename, resources_);

@@ -63,6 +63,7 @@ bool holds_any(const Joint& joint, const std::set<Body*>& bodies) {
 
 /// What hangs on `root` with `cut` taken away. Throws Error when that is the world or `other`.
 std::set<Body*> hanging_on(const Model& model, const Joint& cut, Body* root, const Body* other) {
+  // What is reached over further joints grows until a round adds nothing.
   std::set<Body*> moved{root};
   for (bool grew = true; grew;) {
     grew = false;
@@ -86,6 +87,7 @@ SE3 motion(const Joint& joint, double change) {
   const JointAxis& axis = joint.axes[0];
   const Eigen::Vector3d along = axis.axis_world();
   if (axis.linear) return {Eigen::Quaterniond::Identity(), change * along};
+  // A turn about the axis through the anchor: T = (R, anchor - R anchor).
   const Eigen::Vector3d anchor =
       axis.to != nullptr ? axis.to->pose() * axis.p_to_anchor : axis.p_to_anchor;
   const Eigen::Quaterniond R(Eigen::AngleAxisd(change, along));

@@ -45,6 +45,7 @@ Eigen::Vector3d Current::steady(const Eigen::Vector3d& p_world) const {
       break;
     case CurrentKind::kUniform:
       return params_.speed * along;
+    // The speed grows to the left of the direction, from its value in the world's origin.
     case CurrentKind::kShear: {
       const double left = along.x() * p_world.y() - along.y() * p_world.x();
       return (params_.speed + params_.shear * left) * along;
@@ -72,6 +73,7 @@ Eigen::Vector3d Current::velocity(const Eigen::Vector3d& p_world, double time_s)
 
 Eigen::Vector3d Current::rate(const Eigen::Vector3d& p_world, const Eigen::Vector3d& v_world,
                               double time_s) const {
+  // The material derivative that a moving hull sees: place and time advance together.
   constexpr double kHalf = 5e-3;  // [s]
   return (velocity(p_world + kHalf * v_world, time_s + kHalf) -
           velocity(p_world - kHalf * v_world, time_s - kHalf)) /
@@ -83,6 +85,7 @@ void Current::add_to(const SE3& T_world_co, const Eigen::Vector3d& v_world, doub
   if (params_.kind == CurrentKind::kNone) return;
   const Eigen::Quaterniond R_body_world = T_world_co.R.conjugate();
   water->velocity.head<3>() += R_body_world * velocity(T_world_co.p, time_s);
+  // Only a uniform current without tide and shore has no rate, which saves its two evaluations.
   const bool is_uniform =
       params_.kind == CurrentKind::kUniform && params_.tide_amplitude == 0.0 && !water_depth_;
   if (!is_uniform) {

@@ -86,6 +86,8 @@ class AsciiGridReader {
   void read_header() {
     while (const auto word = next_word()) {
       const char first = word->front();
+      // The header of an ESRI ASCII grid has keys with
+      // values, in any order; the first number ends it.
       if (std::isalpha(static_cast<unsigned char>(first)) == 0) {
         first_value_ = *word;
         return;
@@ -208,6 +210,7 @@ double Seabed::depth_m(const Eigen::Vector2d& p_world, double enough) const {
   const Eigen::Vector2d place = grid.place(p_world);
   const int column = static_cast<int>(std::clamp(place.x(), 0.0, grid.columns - 2.0));
   const int row = static_cast<int>(std::clamp(place.y(), 0.0, grid.rows - 2.0));
+  // The highest point of the block bounds the depth from below.
   const int block = row / kBlock * block_columns_ + column / kBlock;
   const double depth = -static_cast<double>(block_highest_m_[static_cast<std::size_t>(block)]);
   return depth >= enough ? depth : -grid.height_m(place);

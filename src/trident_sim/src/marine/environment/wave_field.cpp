@@ -35,12 +35,14 @@ WaveField::WaveField(const WaveParams& params, std::uint64_t seed, DepthFunction
   if (!ground_depth_ || params_.shore_depth > 0.0) return;
   double variance = 0.0;
   for (const WaveComponent& wave : waves_) variance += 0.5 * wave.amplitude_m * wave.amplitude_m;
+  // Waves fade from a depth of twice the significant height on, Hs = 4 sqrt(m0).
   params_.shore_depth = 2.0 * 4.0 * std::sqrt(variance);
 }
 
 void WaveField::make_blocks() {
   Block none;
   none.amplitude = none.omega = none.phase = none.gerstner = WaveLanes::Zero();
+  // Unused lanes have no amplitude, but a wave number that can be divided by.
   none.k = none.direction_x = none.bed = WaveLanes::Ones();
   none.direction_y = WaveLanes::Zero();
   blocks_.assign((waves_.size() + kLanes - 1) / kLanes, none);
@@ -59,6 +61,7 @@ void WaveField::make_blocks() {
     block.gerstner[lane] = std::min(wave.amplitude_m, widest);
     if (wave.k * params_.depth > 20.0) continue;
     deep_ = false;
+    // Finite depth, cosh(k (z + d)) / sinh(k d), is written in exponentials that cannot overflow.
     block.bed[lane] = 1.0 / -std::expm1(-2.0 * wave.k * params_.depth);
   }
 }
@@ -126,6 +129,8 @@ void WaveField::sum_linear(const Eigen::Vector2d& p, const std::array<double, 2>
   WaveLanes elevation = WaveLanes::Zero(), slope_x = WaveLanes::Zero(), slope_y = WaveLanes::Zero();
   std::array<MotionSums, 2> sums;
   for (const Block& block : blocks_) {
+    // Airy's linear waves: elevation a cos(theta), orbital
+    // velocities a omega times the decay with depth.
     const SineCosine wave = sine_cosine(theta(block, p, time_s));
     const WaveLanes s = block.amplitude * wave.sine, c = block.amplitude * wave.cosine;
     elevation += c;

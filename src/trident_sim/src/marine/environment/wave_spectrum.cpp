@@ -51,8 +51,10 @@ std::vector<WaveComponent> spectral_waves(const WaveParams& params, std::uint64_
     const auto index = static_cast<std::uint64_t>(i);
     const double lo = kLowestPart * peak + i * width;
     WaveComponent wave;
+    // A random frequency in each band: with equal spacing the sea would repeat after 2 pi / width.
     wave.omega_rad_s = lo + stream.uniform(index, kFrequency) * width;
     const double in_band = integral(density, lo, lo + width, 16);
+    // A component's variance a^2 / 2 is the energy of its band.
     wave.amplitude_m = std::sqrt(2.0 * in_band);
     wave.k = wave_number(wave.omega_rad_s, params.depth, params.gravity);
     wave.phase_rad = 2.0 * kPi * stream.uniform(index, kPhase);
@@ -63,6 +65,8 @@ std::vector<WaveComponent> spectral_waves(const WaveParams& params, std::uint64_
     energy += in_band;
     waves.push_back(wave);
   }
+  // What the range of frequencies cuts off is made up
+  // for, so that the height is as given: m0 = Hs^2 / 16.
   const double wanted = params.significant_height * params.significant_height / 16.0;
   const double factor = energy > 0.0 ? std::sqrt(wanted / energy) : 0.0;
   for (WaveComponent& wave : waves) wave.amplitude_m *= factor;
@@ -71,6 +75,7 @@ std::vector<WaveComponent> spectral_waves(const WaveParams& params, std::uint64_
 
 /// VRX' samples: frequencies omega_p scale^(-1, 0, 1), deep water.
 std::vector<WaveComponent> vrx_pms_waves(const WaveParams& params) {
+  // Phillips' constant.
   constexpr double kPhillips = 0.0081;
   const double g = params.gravity, s = params.scale, peak = 2.0 * kPi / params.period;
   const std::array<double, 3> widths = {peak * (1.0 - 1.0 / s), peak * (s - 1.0 / s) / 2.0,
@@ -139,6 +144,7 @@ void WaveParams::validate() const {
   check("number", number, Range{1.0, 3.0});
   if (spectrum != WaveSpectrum::kRegular) return;
   const double k = wave_number(2.0 * kPi / period, depth, gravity);
+  // Waves break at a height of a seventh of their length.
   const double highest = 2.0 * kPi / k / 7.0;
   if (2.0 * amplitude > highest) {
     throw Error("waves: amplitude = " + number_text(amplitude) + " m breaks at period = " +
@@ -172,6 +178,7 @@ SpectralDensity::SpectralDensity(const WaveParams& params)
 double SpectralDensity::shape(double omega_rad_s) const {
   const double x = omega_rad_s / peak_rad_s_;
   if (x < 0.1) return 0.0;
+  // JONSWAP's peak is narrower below the peak frequency than above it (Hasselmann et al. 1973).
   const double sigma = x <= 1.0 ? 0.07 : 0.09;
   const double r = std::exp(-0.5 * std::pow((x - 1.0) / sigma, 2));
   return std::pow(x, -5) * std::exp(-1.25 * std::pow(x, -4)) * std::pow(enhancement_, r);

@@ -30,6 +30,7 @@ Wind::Wind(const WindParams& params, double dt_s, std::uint64_t seed, const std:
 }
 
 Eigen::Vector3d Wind::velocity(const Eigen::Vector3d& p_world) const {
+  // Outside of the field, and without one, the mean wind blows; gusts add to both.
   return (field_ != nullptr ? wind_at(*field_, p_world).value_or(mean_) : mean_) + now_;
 }
 
@@ -38,6 +39,7 @@ Eigen::Vector3d Wind::gust() const {
   const Eigen::Vector3d local = params_.gusts == GustKind::kDryden
                                     ? dryden_.gust()
                                     : Eigen::Vector3d(first_order_.gust(), 0.0, 0.0);
+  // Gusts are given along the mean wind, to its left and up.
   const Eigen::Vector3d along(left_.y(), -left_.x(), 0.0);
   return local.x() * along + local.y() * left_ + local.z() * Eigen::Vector3d::UnitZ();
 }

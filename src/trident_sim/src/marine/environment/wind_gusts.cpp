@@ -50,12 +50,15 @@ Eigen::Matrix2d root(const Eigen::Matrix2d& covariance) {
 }  // namespace
 
 Eigen::Vector3d DrydenParams::intensities() const {
+  // MIL-F-8785C below 1,000 ft: sigma_w = 0.1 W20,
+  // with the wind W20 at 20 ft, and sigma_u = sigma_v.
   const double up = 0.1 * wind_at_6m;
   const double level = up / std::pow(height_term(altitude), 0.4);
   return {level, level, up};
 }
 
 Eigen::Vector3d DrydenParams::lengths() const {
+  // Scale lengths L_w = h, L_u = L_v = h / (0.177 + 0.000823 h)^1.2 with h in feet.
   const double level = altitude / std::pow(height_term(altitude), 1.2);
   return {level, level, altitude};
 }
@@ -98,6 +101,7 @@ void DrydenGusts::reset() {
 
 void DrydenGusts::step() {
   ++index_;
+  // Exact discretizations, so that intensity and correlation do not depend on the step.
   along_ = along_decay_ * along_ + std::sqrt(1.0 - along_decay_ * along_decay_) * normal(0);
   left_ = left_filter_.transition * left_ +
           left_filter_.noise_root * Eigen::Vector2d(normal(1), normal(2));

@@ -27,6 +27,7 @@ template <class Port>
 std::optional<double> ActuatorInput::newest_of(World& world, const Port& port) {
   std::optional<double> newest;
   for (seen_ = std::max(seen_, port->oldest()); seen_ < port->count(); ++seen_) {
+    // Of several in one step the last that is legal counts, but all are checked and reported.
     if (const auto legal = check(world, port->at(seen_).value)) newest = legal;
   }
   return newest;

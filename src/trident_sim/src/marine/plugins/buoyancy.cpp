@@ -83,10 +83,13 @@ class BuoyantLink {
     const Submerged wet = shape_.below(level, T_world_shape);
     if (wet.volume_m3 <= 1e-6) return;
     Body& body = *link_.body;
+    // Drag grows with the immersed part of the mass.
     const double wet_kg = body.mass() * wet.volume_m3 / shape_.volume_m3();
     const double rate = drag.linear_1_s * wet_kg;
     const Eigen::Vector3d slip =
         Eigen::Vector3d(0.0, 0.0, rise) - link_.v_world_at(link_.T_world_link().p);
+    // The drag is that of the velocity at the end of the
+    // step, F = c v / (1 + c dt / m): stable for any c.
     Eigen::Vector3d force = -density * wet.volume_m3 * world.physics().gravity +
                             rate / (1.0 + rate * dt / body.mass()) * slip;
     force.z() = std::max(force.z(), 0.0);  // as VRX: the water does not pull

@@ -139,6 +139,7 @@ EnvironmentParams read_vrx_waves(const PluginContext& context) {
   waves.direction = read_angle(wave, "direction");
   waves.ramp_time = wave.number("tau", 1.0, {0.0, 1e6});
   waves.gain = wave.number("gain", 1.0, {0.0, 100.0});
+  // VRX' value, by which its wave numbers follow from the periods.
   waves.gravity = 9.8;
   for (const std::string& name : wave.unread()) {
     wave.refuse(name, wave.text(name, ""),

@@ -89,6 +89,7 @@ class FreeFloatingControl : public Plugin {
     for (seen_ = std::max(seen_, command_->oldest()); seen_ < command_->count(); ++seen_) {
       take(world, command_->at(seen_));
     }
+    // One ratio for all, so that saturation keeps the direction of force and moment.
     double ratio = 1.0;
     for (const FreeThruster& thruster : thrusters_) {
       if (thruster.effort_n > 0.0) {

@@ -71,6 +71,7 @@ class SeaPlugin : public Plugin {
 
   void pre_step(Phase, World&, const StepInfo& info) override {
     take_commands();
+    // The gusts' filters are discretized for a step; they continue from their present state.
     if (info.dt_s != dt_s_) {
       dt_s_ = info.dt_s;
       set_wind(now_.wind);
@@ -91,6 +92,7 @@ class SeaPlugin : public Plugin {
     level_->clear();
     level_seen_ = 0;
     level_refused_.newest.clear();
+    // What commands have changed in the last run is undone.
     if (live_->text != to_yaml(file_)) {
       now_ = file_;
       live_->environment = make_environment(now_);

@@ -20,6 +20,7 @@ GroundGrid grid_of(const HeightmapShape& shape, const SE3& T_world_shape, const 
   GroundGrid grid;
   grid.columns = image.columns;
   grid.rows = image.rows;
+  // Pixels are the corners of cells: there is one cell less than pixels.
   grid.cell = {shape.size.x() / (image.columns - 1), shape.size.y() / (image.rows - 1)};
   grid.origin = (T_world_shape * Eigen::Vector3d(-0.5 * shape.size.x(), -0.5 * shape.size.y(), 0.0))
                     .head<2>();

@@ -38,6 +38,7 @@ class EngineDrive {
   /// Throws Error for a joint that cannot be driven.
   EngineDrive(World& world, Joint& joint) : world_(world), joint_(joint) {
     DriveSpec spec;
+    // VRX' defaults [N m/rad, N m s/rad].
     spec.gains.p = 300.0;
     spec.gains.d = 20.0;
     world.add_drive(joint, spec);

@@ -136,6 +136,7 @@ class UsvWind : public Plugin {
   }
 
   void find_links(World& world) {
+    // Models may be spawned, deleted and spawned again while the wind blows.
     if (world.models_version() == models_version_) return;
     models_version_ = world.models_version();
     for (WindObject& object : objects_) {
@@ -156,6 +157,7 @@ class UsvWind : public Plugin {
       const SE3 T_world_link = object.link->T_world_link();
       const Eigen::Vector3d p_com = object.link->p_world_com();
       Eigen::Vector3d wind = air_->wind(p_com);
+      // The apparent wind at the center of mass.
       if (!is_over_ground_) wind -= body.velocity_at(p_com);
       const Vector6d wrench = wind_wrench(object.coefficients, T_world_link.R.conjugate() * wind);
       body.add_force_at(T_world_link.R * wrench.head<3>(), p_com);

@@ -68,6 +68,7 @@ struct ObjectShape {
 ObjectShape sphere(const PluginParams& params, double density) {
   const double r = params.number("radius", 0.1, kLength);
   ObjectShape shape;
+  // Added mass is half of the displaced water; the drag coefficient is 0.5 on the sphere's section.
   shape.added_mass.head<3>().setConstant(2.0 / 3.0 * density * kPi * r * r * r);
   shape.quadratic.head<3>().setConstant(0.5 * density * 0.5 * kPi * r * r);
   return shape;
@@ -157,6 +158,8 @@ VesselParams read_hydrodynamics(const PluginParams& model, const std::string& na
   const std::vector<double> added = numbers(model, "added_mass", {36});
   for (std::size_t i = 0; i < added.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
+    // Upstream's order: a shape's own coefficients stand,
+    // given ones fill the rest, then offset and scale.
     if (shape.added_mass[at / 6] == 0.0) M_a(at / 6, at % 6) = added[i];
   }
   M_a += model.number("offset_added_mass", 0.0) * Matrix6d::Identity();
@@ -191,6 +194,7 @@ class Buoyancy {
       metacentric_ = {params.number("metacentric_width", 0.0, kSize),
                       params.number("metacentric_length", 0.0, kSize)};
       const double draft = params.number("submerged_height", 0.0, kLength);
+      // At rest the box displaces the vessel's mass at this draft.
       waterplane_m2_ = mass_kg / (density * draft);
     }
     if (height_ <= 0.0) params.refuse("box", "", "its <width>, <length> and <height>");
@@ -200,6 +204,7 @@ class Buoyancy {
   /// About the link's origin, link axes, from the height of the link above the surface.
   Vector6d wrench(const SE3& T_world_link, double surface_m) const {
     const double z = T_world_link.p.z() - surface_m;
+    // Of a box about the link's origin, upright whatever the attitude.
     const double immersed = std::clamp(0.5 * height_ - z, 0.0, height_);
     const double volume =
         waterplane_m2_ > 0.0 ? waterplane_m2_ * immersed : volume_ * immersed / height_;

@@ -44,6 +44,7 @@ std::vector<double> required_numbers(const PluginParams& params, const char* key
 }
 
 void read_dynamics(const PluginParams& params, UuvThrusterParams* thruster) {
+  // Yoerger, Cooke and Slotine 1990, and Bessa, Dutra and Kreuzer 2006, as uuv_simulator has them.
   thruster->dynamics = read_type<UuvDynamics>(params);
   switch (thruster->dynamics) {
     case UuvDynamics::kZeroOrder:
@@ -188,6 +189,7 @@ class UuvThrusterPlugin : public Plugin {
   void pre_step(Phase, World& world, const StepInfo& info) override {
     take_changes();
     if (const auto newest = input_.take(world)) command_ = *newest;
+    // Switched off the propeller runs down by its own dynamics.
     thruster_.step(setup_.now.is_on ? gain_ * command_ : 0.0, info.dt_s);
     const double state = setup_.now.dynamic_state_efficiency * thruster_.state_value();
     const double thrust = std::clamp(setup_.now.thrust_efficiency * thruster_.thrust_at(state),

@@ -40,6 +40,7 @@ class Vessel : public Plugin, public Floating {
   std::vector<Phase> phases() const override { return {Phase::kActuate}; }
 
   void pre_step(Phase, World& world, const StepInfo& info) override {
+    // The state at the beginning of the step; actuators that the flow drives, as rudders, need it.
     const Afloat now = body_.sense(world, info);
     if (commands_) take_commands(world, info);
     Vector6d tau = Vector6d::Zero();
@@ -110,6 +111,7 @@ class Vessel : public Plugin, public Floating {
       refuse_count(world, values.size());
       return;
     }
+    // The order of the channels is that of ThrustAllocation::topics().
     const double* next = values.begin();
     for (ThrusterOnTopics& thruster : thrusters_) thruster.command(world, info, *next++);
     for (ThrusterOnTopics& thruster : thrusters_) {

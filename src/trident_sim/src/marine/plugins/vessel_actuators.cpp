@@ -66,6 +66,7 @@ void ThrusterOnTopics::step(World& world, const StepInfo& info) {
 
 void ThrusterOnTopics::command_part(double part, const StepInfo& info) {
   const ThrusterParams& params = thruster_.params();
+  // Parts of the full command in either direction.
   thruster_.command(part * (part >= 0.0 ? params.max_command : -params.min_command));
   commanded_ = info.begin;
 }

@@ -12,6 +12,7 @@ namespace trident::sim {
 namespace {
 
 Immersion immersed_power(const HullSection& s, double height) {
+  // The breadth is B (z / T)^n; area and centroid are its integrals from the keel up.
   const double part = std::pow(height / s.draft, s.exponent);
   Immersion result;
   result.breadth_m = s.breadth * part;
@@ -21,6 +22,7 @@ Immersion immersed_power(const HullSection& s, double height) {
 }
 
 Immersion immersed_circle(double radius, double height) {
+  // A segment of a circle from its lowest point up.
   const double square = std::max(0.0, 2.0 * radius * height - height * height);
   const double half_chord = std::sqrt(square);
   Immersion result;
@@ -76,6 +78,7 @@ Immersion immersion(const HullSection& section, double height_m) {
   return height > wall_from ? with_wall(below, wall_from, height - wall_from) : below;
 }
 
+/// GM = KB + I / V - KG, heights from the design waterline here.
 double Hydrostatics::gm_transverse_m(double z_cg) const {
   return center_of_buoyancy_z_m + inertia_transverse_m4 / displaced_m3 - z_cg;
 }
@@ -88,6 +91,7 @@ Hull::Hull(const HullParams& params, double water_density, double gravity_m_s2)
     : density_(water_density), gravity_(gravity_m_s2) {
   for (const double y : params.offsets) {
     for (const HullSection& section : params.sections) {
+      // Depths of the center of buoyancy, and the mean draft, area by breadth.
       const Immersion design = immersion(section, section.draft);
       slices_.push_back(
           {section, y, {section.draft - design.centroid_m, design.area_m2 / design.breadth_m}});
@@ -137,6 +141,7 @@ void Hull::add_slice(const Slice& slice, const SE3& T_world_co, const Water& wat
   const Eigen::Vector3d p = T_world_co * at_waterline;
   const WaterColumn column = water.column(p.head<2>(), slice.depths_m, time_s);
   const Eigen::Quaterniond R_body_world = T_world_co.R.conjugate();
+  // The surface over a slice is a plane, with the height and slope of the water at its middle.
   const Eigen::Vector3d n_body =
       R_body_world * Eigen::Vector3d(-column.slope.x(), -column.slope.y(), 1.0);
   const LocalSurface surface = surface_over(n_body, column.elevation_m - p.z(), s);
@@ -153,6 +158,8 @@ void Hull::add_slice(const Slice& slice, const SE3& T_world_co, const Water& wat
       at_waterline + Eigen::Vector3d(dx, dy, wet.centroid_m - s.draft + dz);
 
   const double volume = wet.area_m2 * s.length;
+  // Buoyancy and Froude-Krylov force in one: the undisturbed water in the hull's place would need
+  // this force to accelerate as it does.
   const Eigen::Vector3d force =
       R_body_world *
       (density_ * volume * (Eigen::Vector3d(0.0, 0.0, gravity_) + column.motion[0].acceleration));
@@ -198,12 +205,14 @@ Hydrostatics Hull::hydrostatics() const {
   h.center_of_buoyancy_x_m /= h.displaced_m3;
   h.center_of_buoyancy_z_m /= h.displaced_m3;
   h.center_of_flotation_x_m = plane_x / h.waterplane_m2;
+  // Steiner's theorem: about the center of flotation.
   h.inertia_longitudinal_m4 = plane_xx - plane_x * plane_x / h.waterplane_m2;
   return h;
 }
 
 StaticPose Hull::rest(double mass_kg, const Eigen::Vector3d& center_of_gravity) const {
   const StillWater water;
+  // Heave and pitch at which weight and buoyancy cancel, by Newton's method on a numeric Jacobian.
   const auto residual = [&](const StaticPose& pose) -> Eigen::Vector2d {
     const SE3 T = SE3::from_xyz_rpy({0.0, 0.0, pose.z_m}, 0.0, pose.pitch_rad, 0.0);
     const Eigen::Vector3d weight = T.R.conjugate() * Eigen::Vector3d(0.0, 0.0, -mass_kg * gravity_);

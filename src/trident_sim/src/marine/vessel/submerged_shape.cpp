@@ -10,6 +10,7 @@
 namespace trident::sim {
 namespace {
 
+/// Facets of round shapes; their volume is scaled to the exact one.
 constexpr int kRoundSides = 24, kBelts = 12;
 
 std::vector<Eigen::Vector3d> circle(double radius, double z) {
@@ -28,6 +29,7 @@ class Tetrahedra {
   explicit Tetrahedra(const Eigen::Vector3d& apex) : apex_(apex) {}
 
   void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    // Signed: faces are counterclockwise from outside, and tetrahedra outside of the body cancel.
     const double volume = (a - apex_).dot((b - apex_).cross(c - apex_)) / 6.0;
     volume_ += volume;
     moment_ += volume * (a + b + c + apex_) / 4.0;
@@ -102,6 +104,7 @@ FloatingShape FloatingShape::sphere(double radius_m) {
 
 Submerged FloatingShape::below(double level_m, const SE3& T_world_shape) const {
   const Eigen::Matrix3d R = T_world_shape.R.toRotationMatrix();
+  // The apex is vertically in line with the shape's origin, so that far places cost no digits.
   const Eigen::Vector3d p(0.0, 0.0, T_world_shape.p.z() - level_m);
   Tetrahedra wet(Eigen::Vector3d::Zero());
   for (const Triangle& t : triangles_) wet.add_clipped({R * t.a + p, R * t.b + p, R * t.c + p});

@@ -47,6 +47,7 @@ void Thruster::step(double dt_s) {
   // Exact for a command that is constant over the step.
   const double decay = params_.time_constant > 0.0 ? std::exp(-dt_s / params_.time_constant) : 0.0;
   state_ = wanted + decay * (state_ - wanted);
+  // The angle is limited by its rate alone: a steering gear has no lag here.
   const double turn = params_.angle_rate * dt_s;
   angle_rad_ += std::clamp(command_angle_rad_ - angle_rad_, -turn, turn);
 }

@@ -71,6 +71,7 @@ Matrix6d VesselDynamics::cross_flow(const Vector6d& nu_r) const {
   const double scale = 0.5 * density_ * cross_flow_.draft_m * cross_flow_.coefficient * dx;
   for (int i = 0; i < kStrips; ++i) {
     const double x = -0.5 * cross_flow_.length_m + (i + 0.5) * dx;
+    // Strip theory: each strip has the drag of its own sway velocity, v + x r.
     const double d = scale * std::abs(nu_r[1] + x * nu_r[5]);
     D(1, 1) += d;
     D(1, 5) += d * x;
@@ -105,6 +106,7 @@ Vector6d VesselDynamics::acceleration(const Vector6d& nu, const HullWater& water
   const Eigen::Vector3d w = nu.tail<3>();
   const Vector6d carried = water.acceleration + transport(w, nu_r);
   const Vector6d rhs = tau - centripetal(w) - N * (nu_r - dt_s * carried) + M_a_ * carried;
+  // Implicit in damping and Coriolis forces: light hulls with much damping stay stable.
   const Matrix6d A = M_rb_ + M_a_ + dt_s * N;
   return A.partialPivLu().solve(rhs);
 }
@@ -118,6 +120,7 @@ Vector6d VesselDynamics::engine_wrench(const Vector6d& nu, const HullWater& wate
                                        const Vector6d& tau, const Vector6d& tau_engine,
                                        double dt_s) const {
   const Vector6d a = acceleration(nu, water, tau, dt_s);
+  // The engine knows M_RB only. What is still to be applied makes up for added mass and damping.
   return M_rb_ * a + centripetal(nu.tail<3>()) - tau_engine;
 }
 
@@ -132,6 +135,7 @@ Vector6d wind_wrench(const Eigen::Vector3d& coefficients, const Eigen::Vector3d&
   Vector6d result = Vector6d::Zero();
   result[0] = coefficients.x() * u * std::abs(u);
   result[1] = coefficients.y() * v * std::abs(v);
+  // VRX' yaw moment, in axes with y to the left.
   result[5] = -2.0 * coefficients.z() * u * v;
   return result;
 }

@@ -15,6 +15,7 @@ namespace {
 /// Rounding that a matrix written with a few digits may show, as a part of its largest element.
 constexpr double kTolerance = 1e-9;
 
+/// About x: axes y and z, and moments about them, change their sign.
 Vector6d half_turn() {
   Vector6d signs;
   signs << 1, -1, -1, 1, -1, -1;
@@ -66,6 +67,7 @@ Matrix6d flu_from_frd(const Matrix6d& matrix) {
 }
 
 Eigen::Matrix3d RigidBody::inertia_co() const {
+  // Steiner's theorem, I_CO = I_CG - m S(r)^2.
   const Eigen::Matrix3d S = skew(center_of_gravity);
   return inertia_cg - mass_kg * S * S;
 }
@@ -79,6 +81,7 @@ Matrix6d rigid_body_mass(const RigidBody& body) {
 }
 
 Matrix6d rigid_body_coriolis(const RigidBody& body, const Vector6d& nu) {
+  // The parametrization without linear velocity, which holds in a steady current as it is.
   const Eigen::Vector3d w = nu.tail<3>();
   const Eigen::Matrix3d S_w = skew(w);
   const Eigen::Matrix3d S_g = skew(body.center_of_gravity);
@@ -93,6 +96,7 @@ Matrix6d added_mass_coriolis(const Matrix6d& added_mass, const Vector6d& nu_r, M
   const Eigen::Matrix3d S = skew(momentum.head<3>());
   Matrix6d C;
   C << Eigen::Matrix3d::Zero(), -S, -S, -skew(momentum.tail<3>());
+  // Surge and sway in the yaw moment, and its counterpart, so that the matrix stays skew-symmetric.
   if (munk == MunkMoment::kNeglect) {
     C.block<2, 1>(0, 5).setZero();
     C.block<1, 2>(5, 0).setZero();
@@ -120,6 +124,7 @@ void check_positive_definite(const std::string& vessel, const std::string& name,
 
 void check_dissipative(const std::string& vessel, const std::string& name, const Matrix6d& matrix) {
   if (!matrix.allFinite()) throw Error(subject(vessel, name) + " must be finite");
+  // nu' D nu is that of the symmetric part alone.
   const double smallest = smallest_eigenvalue(0.5 * (matrix + matrix.transpose()));
   if (!(smallest >= -kTolerance * matrix.cwiseAbs().maxCoeff())) {
     throw Error(subject(vessel, name) +

@@ -81,6 +81,7 @@ VesselParams in_flu(const VesselParams& vessel) {
   flu.center_of_gravity = flu_from_frd(vessel.center_of_gravity);
   // Ixy and Ixz change their sign, Iyz and the moments do not.
   flu.products_of_inertia.head<2>() *= -1.0;
+  // A diagonal is the same in both axes, as signs cancel.
   flu.added_mass_matrix = turned(vessel.added_mass_matrix);
   flu.linear_damping_matrix = turned(vessel.linear_damping_matrix);
   flu.quadratic_damping_matrix = turned(vessel.quadratic_damping_matrix);

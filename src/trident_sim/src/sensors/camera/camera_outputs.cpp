@@ -40,8 +40,10 @@ void describe_camera(const CameraSetup& setup, const OutHandle<CameraInfoSample>
   CameraInfoSample& info = port->value;
   info.width = static_cast<std::uint32_t>(model.width);
   info.height = static_cast<std::uint32_t>(model.height);
+  // sensor_msgs/CameraInfo's plumb_bob.
   info.D = {d.k1, d.k2, d.t1, d.t2, d.k3};
   info.K = {model.fx, model.skew, model.cx, 0, model.fy, model.cy, 0, 0, 1};
+  // P[3] of the right camera of a pair is -fx' B; the sum keeps a zero from being negative.
   const double shift = 0.0 - model.fx * setup.baseline_m;
   info.P = {model.fx, model.skew, setup.rectified_cx, shift, 0, model.fy, model.cy, 0, 0, 0, 1, 0};
   if (!setup.projection) return;
@@ -85,6 +87,7 @@ void CameraOutputs::set_angle_of_view(const std::optional<double>& angle_rad) {
   CameraSetup changed = setup_;
   if (angle_rad) {
     const double focal = 0.5 * setup_.model.width / std::tan(0.5 * *angle_rad);
+    // Everything that is proportional to the focal length follows; the center does not.
     const double zoom = focal / setup_.model.fx;
     changed.model.fx *= zoom;
     changed.model.fy *= zoom;
@@ -115,6 +118,7 @@ void CameraOutputs::measure(const SE3& T_world_sensor, SimTime stamp, std::uint6
   picture_.wants_colors = wanted.image || wanted.cloud;
   picture_.wants_depths = wanted.depth || wanted.cloud;
   picture_.wants_shapes = wanted.labels || wanted.boxes;
+  // One picture serves all outputs that are wanted, drawn only as far as they need it.
   renderer_->render(T_world_sensor * now_.spec.T_sensor_camera, stream_.bits(number, 0), picture_);
   if (picture_.wants_depths) {
     now_.depth_noise.apply(stream_.bits(number, 1), picture_.depths);

@@ -52,6 +52,7 @@ CameraModel read_lens(const CameraSpec& spec, Center center) {
     model.cy = k.cy;
     model.skew = k.s;
   } else if (center == Center::kGazebo) {
+    // gazebo_plugins take (width + 1) / 2 for the center.
     model.cx += 1.0;
     model.cy += 1.0;
   }
@@ -76,6 +77,7 @@ CameraSetup read_setup(const PluginContext& context, const CameraSpec& spec, Cen
   if (params.number("focalLength", 0.0) != 0.0) model.fx = model.fy = focal;
   model.cx = number_or(params, "Cx", model.cx);
   model.cy = number_or(params, "Cy", model.cy);
+  // CxPrime is in P only, as for a rectified pair.
   setup.rectified_cx = number_or(params, "CxPrime", model.cx);
   model.distortion = read_distortion(params, spec.distortion);
   setup.depth_range = {spec.near_m, spec.far_m, std::numeric_limits<float>::infinity()};
@@ -192,6 +194,7 @@ std::unique_ptr<Plugin> make_multicamera(const PluginContext& context, Shutter s
   for (const CameraSpec& spec : read_camera_specs(required_sensor(context), params.owner())) {
     const std::string camera = prefix.empty() ? spec.name : prefix + "/" + spec.name;
     setups.push_back(read_gazebo_setup(context, spec, camera, "image_raw", "camera_info"));
+    // As upstream: the right camera has the baseline in its P.
     if (spec.name.find("right") != std::string::npos) setups.back().baseline_m = baseline_m;
   }
   return std::make_unique<CameraSensor>(context, prefix, setups, shutter);

@@ -40,6 +40,7 @@ class GtxFile {
     const double y = (latitude_deg - south_) / step_latitude_;
     const double turn = 360.0 / step_longitude_;
     double x = (longitude_deg - west_) / step_longitude_;
+    // Longitudes count eastwards from the grid's edge, once around.
     x -= turn * std::floor(x / turn);
     const bool goes_round = std::abs(columns_ - turn) < 0.5;
     if (y < 0.0 || y > rows_ - 1 || (!goes_round && x > columns_ - 1)) return std::nullopt;
@@ -85,6 +86,7 @@ class GtxFile {
 
 }  // namespace
 
+// PROJ's own search: the variable of its newer versions, that of older ones, Debian's folder.
 std::string find_egm96_grid() {
   std::array<std::string, 3> folders{"", "", "/usr/share/proj"};
   if (const char* const data = std::getenv("PROJ_DATA")) folders[0] = data;
