@@ -53,6 +53,8 @@ void convert(const ImageCloudSample& sample, sensor_msgs::PointCloud2& message) 
   message.height = sample.height;
   message.width = sample.width;
   if (message.fields.empty()) {
+    // The layout of the packed points themselves; "rgb"
+    // is 0x00RRGGBB in the bits of a float, as in PCL.
     message.fields = {float_field("x", offsetof(Point, x)), float_field("y", offsetof(Point, y)),
                       float_field("z", offsetof(Point, z)),
                       float_field("rgb", offsetof(Point, rgb))};

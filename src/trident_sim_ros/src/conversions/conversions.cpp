@@ -52,6 +52,7 @@ Eigen::Vector3d from_vector(const geometry_msgs::Vector3& v) { return {v.x, v.y,
 SE3 from_pose(const geometry_msgs::Pose& pose) {
   Eigen::Quaterniond q(pose.orientation.w, pose.orientation.x, pose.orientation.y,
                        pose.orientation.z);
+  // A pose whose orientation was not filled in has zeros only, and means no rotation.
   if (q.coeffs().isZero(0.0)) q.setIdentity();
   return {q.coeffs().allFinite() ? q.normalized() : q, from_point(pose.position)};
 }
@@ -61,6 +62,7 @@ TwistCommand from_twist(const geometry_msgs::Twist& twist) {
 }
 
 void convert(const OdometrySample& sample, nav_msgs::Odometry& message) {
+  // The pose is that of child_frame in parent_frame, the twist is in child_frame.
   message.header.stamp = to_ros(sample.stamp);
   message.header.frame_id = sample.parent_frame;
   message.child_frame_id = sample.child_frame;
@@ -104,6 +106,7 @@ void convert(const ImuSample& sample, sensor_msgs::Imu& message) {
   message.header.frame_id = sample.frame;
   message.orientation = to_quaternion(sample.R_world_imu);
   message.angular_velocity = to_vector(sample.w_imu);
+  // REP 145: the specific force, gravity included.
   message.linear_acceleration = to_vector(sample.a_imu);
   for (std::size_t i = 0; i < 9; ++i) {
     message.orientation_covariance[i] = sample.orientation_covariance[i];
@@ -148,6 +151,7 @@ void convert(const GnssFixSample& sample, sensor_msgs::NavSatFix& message) {
   message.status.service = sensor_msgs::NavSatStatus::SERVICE_GPS;
   message.latitude = sample.latitude_deg;
   message.longitude = sample.longitude_deg;
+  // Above the ellipsoid of WGS 84, not above the sea; the covariance is in east, north, up [m^2].
   message.altitude = sample.altitude_m;
   std::copy(sample.covariance_enu.begin(), sample.covariance_enu.end(),
             message.position_covariance.begin());

@@ -25,6 +25,7 @@ void convert(const LinkStatusSample& sample, trident_msgs::LinkStatus& message) 
   message.airtime_share = static_cast<float>(sample.airtime_share);
   message.sent = link.sent;
   message.delivered = link.delivered;
+  // Refused by a full queue, lost after all tries, expired before it was sent.
   message.dropped_queue = link.refused;
   message.dropped_air = link.lost;
   message.expired = link.expired;

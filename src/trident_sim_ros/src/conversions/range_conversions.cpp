@@ -20,6 +20,7 @@ sensor_msgs::PointField make_field(const char* name, std::size_t offset, std::ui
   return field;
 }
 
+// The fields of velodyne_pointcloud's PointXYZIRT, which LIO packages look for by name.
 std::vector<sensor_msgs::PointField> lidar_fields() {
   using Field = sensor_msgs::PointField;
   return {make_field("x", offsetof(LidarPoint, x), Field::FLOAT32),
@@ -78,6 +79,7 @@ void convert(const ContactsSample& sample, gazebo_msgs::ContactsState& message) 
   for (const TouchSample& touch : sample.touches) {
     message.states.emplace_back();
     gazebo_msgs::ContactState& state = message.states.back();
+    // All contacts of one pair of collisions are one state, with the sum of their wrenches.
     state.info = touch.collision1 + " touches " + touch.collision2;
     state.collision1_name = touch.collision1;
     state.collision2_name = touch.collision2;

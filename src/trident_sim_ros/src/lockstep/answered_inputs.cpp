@@ -46,6 +46,8 @@ std::string AnsweredInputs::missing_node(Driver& driver) {
   for (const std::string& command : driver.options.commands) {
     const std::vector<std::string> writers = ros_utils::topic_writers("/" + command);
     for (const std::string& writer : writers) {
+      // A connection counts when the node at its other end
+      // confirms it: this process knows only its own end.
       if (!probe_.sends(writer, "/" + command)) return "a publisher of /" + command;
       if (readers.count(writer) > 0) driver.nodes.insert(writer);
     }
@@ -143,6 +145,7 @@ void AnsweredInputs::deliver(SimTime begin) {
     if (is_answered(driver)) driver.is_lost = false;
     driver.is_open = false;
     for (const std::string& command : driver.options.commands) {
+      // Held until the step in which the answer is due, whenever it came.
       inputs_.deliver_held(command, begin);
       note_surplus(command, driver.wanted[command], begin);
       driver.handed_over[command] = inputs_.received(command);
@@ -181,6 +184,7 @@ void AnsweredInputs::open(Driver& driver, SimTime now) {
   for (const std::string& command : driver.options.commands) {
     const auto last = driver.handed_over.find(command);
     if (last != driver.handed_over.end()) note_surplus(command, last->second, now);
+    // The next message on each of its commands is the answer.
     driver.wanted[command] = inputs_.received(command) + 1;
   }
 }

@@ -8,6 +8,7 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
+// How long a wait lasts before losses are looked for.
 constexpr auto kTimeoutCheckPeriod = milliseconds(2);
 
 }  // namespace
@@ -37,6 +38,8 @@ bool LockstepGate::allows_step(const World& world, FairMutex& world_mutex,
   {
     const Lock lock(hub_.mutex);
     hub_.take_heard();
+    // With RotorS' timing a command acts a step later,
+    // so that the newest state need not be answered yet.
     const bool delayed = options_.timing == LoopTiming::kRotors;
     hub_.required_stamp = delayed ? world.time() - world.dt() : world.time();
     hub_.next_time = world.time() + world.dt();
@@ -55,6 +58,7 @@ bool LockstepGate::allows_step(const World& world, FairMutex& world_mutex,
   if (waits_for_source) about_to_wait();
   bool ready = false;
   {
+    // Services may change the world meanwhile.
     const Unlock world_is_free(world_mutex);
     ready = wait_until_ready();
   }
@@ -128,6 +132,7 @@ SimTime LockstepGate::enroll_source(const std::string& node,
   const bool is_new = hub_.sources.all().count(node) == 0;
   probe_.look(node);  // so that its end will be one
   if (is_new && losses_.repeatability().running()) {
+    // When it enrolls decides from which step on it is waited for.
     losses_.repeatability().spoil("set-point source " + node, now, "enrolled while time ran");
   }
   const SimTime start = hub_.sources.enroll(node, vehicles, period, end, now, waits_beyond_end);

@@ -57,6 +57,7 @@ bool LossWatch::gives_up(const Silence& silence, Waiting& waiting, WallTime now)
   if (!is_gone && !is_silent) return false;
   const std::string why =
       is_gone ? "has disconnected" : silence.what + " for " + seconds_text(seconds(waited));
+  // Who may wait for simulated time itself would never answer a world that waits for it.
   const bool is_endless =
       silence.may_wait_for_the_world && seconds(waited) >= kEndlessPatience * rules_.timeout_s;
   if (rules_.policy == LossPolicy::kWait && !is_endless) {

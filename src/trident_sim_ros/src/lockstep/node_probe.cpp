@@ -78,6 +78,7 @@ bool is_alive(const std::string& node) {
   std::uint32_t port = 0;
   const Lookup found = find_node(node, &host, &port);
   if (found == Lookup::kFound) return !refuses(host, port);
+  // A node that the master does not know has gone; an odd answer is no sign of that.
   return found == Lookup::kOdd;
 }
 
@@ -113,6 +114,7 @@ std::set<std::string> topics_from(const std::string& node) {
 void NodeProbe::ask(const std::shared_ptr<Answers>& answers, const std::string& node) {
   const bool alive = is_alive(node);
   const std::lock_guard<std::mutex> lock(answers->mutex);
+  // Only a node that was seen alive can have gone.
   State& state = answers->states[node];
   if (alive) {
     state = State::kAlive;
@@ -137,6 +139,8 @@ bool NodeProbe::sends(const std::string& node, const std::string& topic) {
   const bool is_due = asked == answers_->asked_at.end() ||
                       (asked->second >= 0.0 && wall_s() - asked->second > kAskAgain_s);
   if (is_due) {
+    // On a thread of its own: neither the master nor a node
+    // that hangs may hold up a step. Negative: under way.
     answers_->asked_at["links of " + node] = -1.0;
     std::thread([answers = answers_, node] { ask_for_links(answers, node); }).detach();
   }

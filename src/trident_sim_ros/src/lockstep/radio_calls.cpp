@@ -71,6 +71,7 @@ void RadioCalls::abort_calls_of(const std::vector<std::string>& nodes, const std
   if (relay_ == nullptr) return;
   for (const std::string& node : nodes) {
     if (!called_.is_calling(node)) continue;
+    // Calls that have come count as begun, so that they can be aborted.
     deliver(world_.time());
     called_.abort(node,
                   why + ", and " + node + " for this call, legal: calls from a thread of their own",

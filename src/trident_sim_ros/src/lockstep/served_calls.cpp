@@ -21,6 +21,7 @@ class ServedCalls::Attempt {
   Attempt(const ServedCall& call, const ros_utils::ServiceType& type,
           std::shared_ptr<MessageBell> bell)
       : state_(std::make_shared<State>(name_at_server(call.service))) {
+    // TCPROS takes "*" for any type.
     const std::string md5sum = type.md5sum.empty() ? "*" : type.md5sum;
     std::thread([state = state_, bell = std::move(bell), number = call.number,
                  request = call.request, md5sum] {
@@ -85,6 +86,7 @@ bool ServedCalls::allows_step(SimTime now, const IsCalling& is_calling) {
   bool allowed = true;
   for (Served& served : served_) {
     const bool is_late = is_awaited(served, now);
+    // A server that makes a call by radio itself waits for the world, which must not wait for it.
     const bool is_passed = is_late && is_calling(served.node, served.received);
     served.was_passed = served.was_passed || is_passed;
     if (!is_late || is_passed) {

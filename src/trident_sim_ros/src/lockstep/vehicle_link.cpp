@@ -39,6 +39,7 @@ bool read(const std::uint8_t* bytes, std::size_t size, Message& message) {
 SimTime header_stamp(const std::uint8_t* bytes, std::size_t size) {
   std::uint32_t fields[3] = {0, 0, 0};  // seq, sec, nsec
   if (size < sizeof(fields)) return {};
+  // ROS serializes numbers with their lowest byte first.
   std::memcpy(fields, bytes, sizeof(fields));
   return {static_cast<std::int64_t>(fields[1]) * 1'000'000'000 + fields[2]};
 }
@@ -183,6 +184,7 @@ void VehicleLink::on_command(const mav_msgs::Actuators& message) {
   std::copy_n(speeds.begin(), command.angular_velocities.size,
               command.angular_velocities.data.begin());
   const auto answer = lockstep.on_answer(command.stamp, wall_now());
+  // Of a vehicle in lockstep only answers to its states count.
   if (answer == LockstepVehicle::Answer::kForeign && lockstep.enrolled()) return;
   if (answer == LockstepVehicle::Answer::kForeign && hub_.repeatability.running()) {
     hub_.repeatability.spoil(join(command_writers()), hub_.next_time,
@@ -195,6 +197,7 @@ void VehicleLink::on_command(const mav_msgs::Actuators& message) {
   }
   if (answer == LockstepVehicle::Answer::kExpected) answered_reader_ = newest_reader_;
   waiting.end();
+  // Commands reach the world between steps, in deliver().
   inbox_.push_back(command);
   send_next();
 }
@@ -289,6 +292,7 @@ void VehicleLink::learn_controllers() {
   const std::uint64_t newest = hub_.commands.newest_link();
   if (newest == newest_link_) return;
   newest_link_ = newest;
+  // Writers can have changed only when the inbox has a new connection.
   for (const std::string& node : command_writers()) controllers_.insert(node);
 }
 

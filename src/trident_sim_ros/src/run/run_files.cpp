@@ -15,6 +15,7 @@
 namespace trident::sim {
 namespace {
 
+/// States at 20 Hz and links at 2 Hz of simulated time: the same rows in every run.
 constexpr std::int64_t kRecordPeriodNs = 50'000'000;
 constexpr std::int64_t kLinkPeriodNs = 500'000'000;
 constexpr const char* kStateColumns = "t,name,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n";
@@ -40,6 +41,7 @@ std::string json_escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
+    // JSON allows no control characters in a string.
     result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
   return result;
@@ -192,6 +194,7 @@ void RunFiles::record_states(const World& world) {
   for (const auto& [name, model] : world.models()) {
     const Link* link = model->canonical_link();
     if (model->is_static || link == nullptr) continue;
+    // Pose and twist of the model's origin, in the world frame.
     const SE3 T = model->T_world_model();
     const Eigen::Vector3d v = link->v_world_at(T.p);
     const Eigen::Vector3d w = link->w_world();

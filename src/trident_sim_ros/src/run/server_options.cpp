@@ -120,6 +120,7 @@ void read_parameters(ros_utils::NodeParams params, ServerOptions& options) {
   set_if(own.seed, options.seed);
   set_if(own.out_dir, options.out_dir);
   options.wait_for_models = own.wait_for_models;
+  // Names say how many vehicles there are.
   if (params.find("wait_for_models") != nullptr) {
     options.wait_for = static_cast<int>(own.wait_for_models.size());
   } else if (params.find("wait_for") != nullptr) {
@@ -158,6 +159,7 @@ const Flags& known_flags() {
       {"-u", pause},
       {"--pause", pause},
       {"--verbose", [](ServerOptions& options) { options.verbose = true; }},
+      // Runs are recorded by other means; launch files for Gazebo shall start all the same.
       {"-r", ignore_flag},
       {"--record", ignore_flag},
       {"--lockstep", ignore_flag},
@@ -240,6 +242,7 @@ AnswerOptions AnswerParams::options() const {
 ServerOptions server_options_of(const std::string& root, const XmlRpc::XmlRpcValue& parameters,
                                 const std::vector<std::string>& arguments) {
   ServerOptions options;
+  // A later source overrides an earlier one: environment, parameters, command line.
   read_environment(options);
   read_parameters(ros_utils::NodeParams(parameters, root), options);
   read_arguments(arguments, options);

@@ -43,6 +43,7 @@ bool is_world_frame(const std::string& name) {
 
 Joint& required_joint(const World& world, const std::string& name) {
   if (Joint* const joint = find_scoped_joint(world, name)) return *joint;
+  // gazebo_ros takes the name of a joint without its model; here it must be the only one.
   Joint* found = nullptr;
   for (const auto& [model_name, model] : world.models()) {
     Joint* joint = model->find_joint(name);
@@ -64,6 +65,7 @@ ReferenceFrame find_reference_frame(const World& world, const std::string& name)
     throw Error("reference frame '" + name + "' is not world, a model or a link (model::link)");
   }
   const SE3 T = model != nullptr ? model->T_world_model() : link->T_world_link();
+  // A moving frame has a velocity, by which twists seen from it differ.
   return {T, link->v_world_at(T.p), link->w_world()};
 }
 

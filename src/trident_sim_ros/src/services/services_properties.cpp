@@ -97,6 +97,8 @@ AxisParams axis_params(const gazebo_msgs::ODEJointProperties& from, std::size_t 
 }
 
 void check_erp(const gazebo_msgs::ODEJointProperties& from, double of_world) {
+  // ODE has one error reduction parameter for all
+  // joints; another value is refused instead of ignored.
   for (const double erp : from.erp) {
     if (erp == of_world) continue;
     throw Error("erp is " + std::to_string(erp) + ": a joint has none of its own, it is the " +
@@ -111,6 +113,7 @@ void set_joint(Simulation& simulation, const SetJointProperties::Request& reques
   Joint& joint = required_joint(world, request.joint_name);
   const auto& from = request.ode_joint_config;
   check_erp(from, world.physics().erp);
+  // The longest list says for how many axes there are values; shorter ones leave the rest as it is.
   std::size_t axes = 0;
   for (const auto* list : {&from.damping, &from.hiStop, &from.loStop, &from.cfm, &from.stop_erp,
                            &from.stop_cfm, &from.fudge_factor, &from.fmax, &from.vel}) {

@@ -59,6 +59,7 @@ void set_physics(Simulation& simulation, const SetPhysicsProperties::Request& re
     throw Error("max_update_rate is " + std::to_string(request.max_update_rate) +
                 ", must be >= 0 Hz (0: as fast as possible)");
   }
+  // What the message does not have, such as the solver, stays.
   access.changed_by("/gazebo/set_physics_properties").set_physics(physics);
   simulation.set_max_update_rate_hz(request.max_update_rate);
 }
@@ -148,6 +149,8 @@ void advertise_run_services(ros::NodeHandle& node, Simulation& simulation, Serve
               response.status_message = "physics engine updated";
             });
           }));
+  // As an event, which has the caller's name: a node
+  // whose answer the world waits for must not step it.
   ros::AdvertiseServiceOptions stepping;
   stepping.initBySpecType<StepEvent>("step", [&simulation](const StepEvent& event) {
     step(simulation, event);

@@ -26,6 +26,7 @@ using gazebo_msgs::SetModelState;
 /// Pose and twist of a point that moves with `link`, seen from `frame`.
 void fill(const Link* link, const SE3& T_world_body, const ReferenceFrame& frame,
           geometry_msgs::Pose& pose, geometry_msgs::Twist& twist) {
+  // Velocities are relative to the frame's own motion, in its axes.
   const Eigen::Quaterniond R_frame_world = frame.T_world_frame.R.conjugate();
   pose = to_pose(frame.T_world_frame.inverse() * T_world_body);
   if (link == nullptr) return;
@@ -106,6 +107,7 @@ void get_world_properties(Simulation& simulation, GetWorldProperties::Response& 
   Simulation::Access access(simulation);
   response.sim_time = access.world().time().seconds();
   for (const auto& [name, model] : access.world().models()) response.model_names.push_back(name);
+  // There is no rendering engine; cameras are drawn by ray casting.
   response.rendering_enabled = false;
   response.status_message = "GetWorldProperties: got properties";
 }

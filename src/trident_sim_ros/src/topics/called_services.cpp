@@ -62,6 +62,7 @@ class CallInbox {
       waiting_.push_back(call);
     }
     bell_->ring();
+    // Without the lock, or no other call could come in.
     return call->wait();
   }
   std::vector<std::shared_ptr<NodeCall>> take() {
@@ -160,6 +161,7 @@ void CalledServices::sync(const std::vector<RelayService>& services) {
     const std::string name = name_at_caller(service);
     const auto known = entries_.find(name);
     Entry& entry = entries[name];
+    // Servers of rules that stay keep their connections.
     if (known != entries_.end()) entry = std::move(known->second);
     entry.service = service;
   }
@@ -168,6 +170,7 @@ void CalledServices::sync(const std::vector<RelayService>& services) {
 
 void CalledServices::advertise(const std::string& name, const ros_utils::ServiceType& type,
                                Entry* entry) {
+  // A type that has changed needs a new server: the type is part of the handshake.
   entry->server.shutdown();
   ros::AdvertiseServiceOptions options;
   options.service = name;

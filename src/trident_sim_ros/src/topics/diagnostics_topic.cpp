@@ -13,6 +13,7 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
+/// The newest; the log has all of them.
 constexpr std::size_t kRememberedMessages = 50;
 
 DiagnosticStatus make_status(std::int8_t level, const std::string& name,

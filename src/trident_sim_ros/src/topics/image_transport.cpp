@@ -39,6 +39,7 @@ PictureCompression read_picture_compression(const std::string& topic) {
 
 DepthCompression read_depth_compression(const std::string& topic) {
   DepthCompression how;
+  // The limits of compressed_depth_image_transport's reconfiguration.
   read_number(topic + "/depth_max", 1.0, 100.0, how.max_m);
   read_number(topic + "/depth_quantization", 1.0, 150.0, how.quantization);
   read_number(topic + "/png_level", 1, 9, how.png_level);

@@ -100,6 +100,7 @@ class Mailbox {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       if (!is_awaited && repeatability_.running()) late_.emplace_back(sender, stamp_of(command));
+      // As a subscriber's queue: the oldest makes room.
       if (waiting_.size() == kDepth) waiting_.erase(waiting_.begin());
       waiting_.push_back(command);
       ++count_;
@@ -147,6 +148,7 @@ class MailboxBinding : public InputBinding {
   PortBase& port() const final { return port_; }
   void hold() final { is_held = mailbox_->is_awaited = true; }
   void deliver(SimTime begin) final {
+    // Called by the stepping thread; messages are put in by those of the callback queue.
     mailbox_->note_late(begin, port_.name());
     mailbox_->take(&taken_);
     for (const Command& command : taken_) port_.write(command);
@@ -177,6 +179,7 @@ class TopicBinding : public MailboxBinding<Command> {
           mailbox->put(from_message(*event.getMessage()), event.getPublisherName());
         });
     options.callback_queue = &around.queue;
+    // Nagle's algorithm would hold small commands back for up to 40 ms.
     options.transport_hints = ros::TransportHints().tcpNoDelay();
     subscriber_ = around.node.subscribe(options);
   }
@@ -245,6 +248,7 @@ std::unique_ptr<InputBinding> try_bind(const Surroundings& around, PortBase& por
 }
 
 using BindFunction = std::unique_ptr<InputBinding> (*)(const Surroundings&, PortBase&);
+/// The type of the port decides; the first that fits binds it.
 constexpr BindFunction kBindFunctions[] = {
     try_bind<TwistCommand, TopicBinding<TwistCommand, geometry_msgs::Twist>>,
     try_bind<ScalarSample, TopicBinding<ScalarSample, std_msgs::Float64>>,

@@ -11,6 +11,7 @@
 namespace trident::sim {
 namespace {
 
+/// 25 Hz of wall time, enough for displays.
 constexpr auto kDisplayPeriod = std::chrono::milliseconds(40);
 
 /// A transform: collected, and published with all others of the step as one message.
@@ -126,6 +127,7 @@ void PortBinder::rebuild_active() {
   for (auto& [name, entry] : entries_) {
     if (entry.binding->wanted() && !entry.held_back) active_.push_back(entry.binding.get());
   }
+  // By rank, so that transforms are known before what needs them; within a rank by name.
   std::stable_sort(active_.begin(), active_.end(), [](OutputBinding* a, OutputBinding* b) {
     return a->port().rank() < b->port().rank();
   });
@@ -149,6 +151,7 @@ void PortBinder::publish_fresh(PortRank first, PortRank last, bool every_step) {
   for (OutputBinding* binding : active_) {
     const PortRank rank = binding->port().rank();
     if (rank < first || rank > last) continue;
+    // All transforms of a step are one message, ahead of the first other one.
     if (rank > PortRank::kTransform) send_frames();
     publish_if_fresh(*binding, is_display_due);
   }

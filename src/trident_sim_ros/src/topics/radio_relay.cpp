@@ -40,6 +40,7 @@ class BytesTopic : public OutputBinding {
  private:
   void publish(const BytesSample& sample) {
     const auto* const bytes = reinterpret_cast<const std::uint8_t*>(sample.data->data());
+    // Bytes cross the simulator as they were serialized, so that any type can be relayed.
     publisher_.publish(ros_utils::BytesMessage{{bytes, sample.data->size()}});
   }
 
@@ -75,6 +76,7 @@ void RadioRelay::sync() {
     if (topic == nullptr) return;
     const auto known = taps_.find(port.name());
     const std::uint64_t count = topic->port().count();
+    // A tap that stays continues after the last message that it has taken.
     const bool is_same = known != taps_.end() && known->second.topic == topic;
     taps[port.name()] = {topic, input, is_same ? known->second.seen : count,
                          begins_with_header(topic->type().definition)};

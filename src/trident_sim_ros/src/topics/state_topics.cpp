@@ -32,6 +32,7 @@ StateTopics::StateTopics(ros::NodeHandle& node, double max_rate_hz, double clock
           std::chrono::duration<double>(1.0 / max_rate_hz))),
       clock_period_(clock_frequency_hz > 0.0 ? SimTime::from_seconds(1.0 / clock_frequency_hz)
                                              : SimTime{0}) {
+  // Latched, so that a node that starts while the world stands has a time.
   clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 10, true);
   models_ = node.advertise<gazebo_msgs::ModelStates>("/gazebo/model_states", 10);
   links_ = node.advertise<gazebo_msgs::LinkStates>("/gazebo/link_states", 10);
@@ -69,6 +70,7 @@ void StateTopics::publish(const World& world, bool every_step) {
 
 void StateTopics::catch_up_clock(SimTime time) {
   const auto now = Clock::now();
+  // The newest time, which the limit of the rate has kept back.
   if (clock_period_.ns > 0 || now - last_clock_ < least_interval_) return;
   last_clock_ = now;
   publish_clock(time);
@@ -84,6 +86,7 @@ void StateTopics::publish_clock(SimTime time) {
 
 void StateTopics::scan(const World& world) {
   const std::uint32_t listeners = fleet_.getNumSubscribers();
+  // Sources that wait for time zero must have the first state, though no step publishes it.
   const bool standing = world.time().ns % state_period_.ns == 0;
   const bool is_news = listeners > fleet_listeners_ || world.models().size() != fleet_models_;
   fleet_listeners_ = listeners;
