@@ -59,6 +59,7 @@ class Rates : public SetPoint {
   void apply(Span<const double> command, const Model& /*model*/, double /*period_s*/) override {
     point().level = control::ControlLevel::rates;
     point().w_body = Eigen::Vector3d(command.data());
+    // Body rates [rad/s] and collective thrust [N].
     point().thrust = command[3];
     send();
   }
@@ -76,6 +77,8 @@ class Velocity : public SetPoint {
   void apply(Span<const double> command, const Model& model, double period_s) override {
     const Eigen::Vector3d v(command.data());
     const Eigen::Vector3d p = model.T_world_model().p;
+    // The set-point stays within kLongestLeadM of the
+    // vehicle, as an integrator is kept from winding up.
     Eigen::Vector3d lead = point().p_world + period_s * v - p;
     lead *= std::min(1.0, kLongestLeadM / std::max(lead.norm(), 1e-9));
     point().p_world = p + lead;
@@ -113,6 +116,7 @@ class Twist : public Actuator {
       : Actuator(spec), port_(input<TwistCommand>(spec.ports.front(), board)) {}
   void apply(Span<const double> command, const Model& /*model*/, double /*period_s*/) override {
     TwistCommand sample;
+    // A ground robot or boat: surge speed [m/s] and yaw rate [rad/s].
     sample.v_base.x() = command[0];
     sample.w_base.z() = command[1];
     port_->write(sample);

@@ -48,17 +48,20 @@ struct Blocks {
   }
   static float* goal_heading(const Agent& a, Team /*team*/, float* out) {
     const double angle = a.goal_.yaw_rad - a.yaw();
+    // Cosine and sine, which do not jump at +-pi.
     return put_unit(std::array{std::cos(angle), std::sin(angle)}, out);
   }
   static float* rotation(const Agent& a, Team /*team*/, float* out) {
     const Eigen::Matrix3d by_rows = a.now_.R_world_model.transpose();  // stored column by column
     return put_unit(by_rows, out);
   }
+  // The world's up in body axes: the attitude without the heading.
   static float* up(const Agent& a, Team /*team*/, float* out) {
     return put_unit(Eigen::Vector3d(a.now_.R_world_model.row(2)), out);
   }
   static float* quaternion(const Agent& a, Team /*team*/, float* out) {
     const Eigen::Vector4d q = a.now_.T_world_model.R.coeffs();
+    // q and -q are one rotation; a learner shall see one of them.
     return put_unit(Eigen::Vector4d(q.w() < 0.0 ? -q : q), out);
   }
   static float* velocity(const Agent& a, Team /*team*/, float* out) {
@@ -161,9 +164,11 @@ void Agent::set_goal(const Goal& goal) {
 }
 
 void Agent::act(Span<const float> action, double period_s) {
+  // The last action is kept for the reward's term of change.
   std::swap(action_, last_);
   for (std::size_t i = 0; i < action_.size(); ++i) {
     action_[i] = std::clamp(action[i], -1.0F, 1.0F);
+    // Actions in [-1, 1] span the range of each command about its middle.
     command_[i] = actuator_->middle(i) + actuator_->reach(i) * static_cast<double>(action_[i]);
   }
   actuator_->apply(command_, *model_, period_s);
@@ -184,6 +189,7 @@ void Agent::look() {
 void Agent::reduce_scan() {
   const LaserScanSample& sample = scan_->value;
   const std::size_t count = sample.ranges.size();
+  // Nothing in range is infinite in the scan, and the largest range here.
   const auto largest = static_cast<float>(sample.range_max_m);
   float nearest = std::numeric_limits<float>::infinity();
   for (std::size_t beam = 0; beam < beams_.size(); ++beam) {
@@ -225,11 +231,13 @@ Terms Agent::judge(Team team) {
     effort += value * value;
     change += difference * difference;
   }
+  // Means over the numbers of the action: weights do not depend on how many rotors there are.
   const auto numbers = static_cast<double>(std::max<std::size_t>(action_.size(), 1));
   const double distance = (goal_.p_world - now_.T_world_model.p).norm();
   Terms terms;
   auto& t = terms.values;
   t[Terms::kDistance] = distance;
+  // Potential-based, so that its sum over an episode is the distance gained, however it was flown.
   t[Terms::kProgress] = distance_m_ - distance;
   t[Terms::kSpeed] = now_.v_world.norm();
   t[Terms::kTurnRate] = now_.w_body.norm();

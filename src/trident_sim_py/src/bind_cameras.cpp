@@ -13,6 +13,7 @@ namespace {
 using ArrayShape = std::vector<py::ssize_t>;
 
 template <class Value>
+// Copies: the next picture is drawn into the same buffer.
 py::array copied(const ArrayShape& shape, const std::vector<std::uint8_t>& bytes) {
   py::array_t<Value> array(shape);
   std::memcpy(array.mutable_data(), bytes.data(), bytes.size());
@@ -56,6 +57,7 @@ py::array_t<std::uint8_t> colors_of(const ImageCloudSample& cloud) {
   py::array_t<std::uint8_t> colors(shape_of(cloud));
   std::uint8_t* out = colors.mutable_data();
   for (const ImageCloudSample::Point& point : cloud.points) {
+    // The packed color is 0x00RRGGBB.
     for (const int shift : {16, 8, 0}) *out++ = static_cast<std::uint8_t>(point.rgb >> shift);
   }
   return colors;

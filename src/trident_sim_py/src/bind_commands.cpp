@@ -116,6 +116,7 @@ class TrajectoryFields {
 
   /// Time of point i of `times`.
   static SimTime time(const double* times, py::ssize_t i) {
+    // NaN fails the comparisons, too.
     const double least = i > 0 ? times[i - 1] : 0.0;
     if (times[i] >= least && times[i] <= kMaxSeconds) return SimTime::from_seconds(times[i]);
     throw Error("times[" + std::to_string(i) + "] is " + std::to_string(times[i]) + " s, legal: " +
@@ -150,6 +151,7 @@ class TrajectoryFields {
       throw Error(what + " has " + std::to_string(array.shape(0)) +
                   " rows, legal: " + std::to_string(n_) + " as in positions");
     }
+    // The array may be a converted copy, which nobody else holds.
     kept_.push_back(array);
     return array.data();
   }

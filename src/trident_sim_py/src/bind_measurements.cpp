@@ -156,6 +156,7 @@ py::array_t<LidarPoint> to_structured(const std::vector<LidarPoint>& points) {
 
 void bind_lidar_cloud(py::module_& module) {
   using Cloud = LidarCloudSample;
+  // numpy's names are those of the fields of a PointCloud2.
   PYBIND11_NUMPY_DTYPE(LidarPoint, x, y, z, intensity, ring, time);
   stamped<Cloud>(module, "LidarCloudSample",
                  "One scan of a lidar with many rings; stamp: its first beam.")

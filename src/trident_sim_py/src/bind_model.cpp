@@ -29,6 +29,7 @@ class LinkView {
   void apply_wrench(const py::object& force, const py::object& torque, double duration_s,
                     const py::object& point) {
     World& world = session_->world();
+    // As in the services of Gazebo, a negative duration has no end.
     const SimTime duration = duration_s < 0.0 ? SimTime{-1} : to_time(duration_s, "duration");
     world.apply_wrench({&link(), to_vector3(force, "force"), to_vector3(torque, "torque"),
                         to_vector3(point, "point"), world.time(), duration});

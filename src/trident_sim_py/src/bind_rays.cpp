@@ -32,6 +32,7 @@ std::vector<Ray> to_rays(const NumpyArray& origins, const NumpyArray& directions
     if (!(length > kShortest)) {
       throw Error("directions[" + std::to_string(i) + "] has no length, legal: more than 1e-12");
     }
+    // Unit length, so that the distance of a hit is in meters.
     ray.direction_world = direction / length;
     ray.t_max_m = t_max;
   }
@@ -80,6 +81,7 @@ py::tuple cast_rays(Session& session, const py::object& origins, const py::objec
   RayScene& scene =
       sim::rays(session.world(), is_visual ? RayGeometry::kVisual : RayGeometry::kCollision);
   scene.refresh();
+  // Waves are drawn about one place; that of the first ray stands for all.
   if (!rays.empty()) scene.refresh_surface(rays.front().p_world_origin);
   scene.cast({rays.data(), rays.size()}, {hits.data(), hits.size()});
   return to_arrays(hits);

@@ -82,8 +82,10 @@ void step(Rollout& rollout, const Actions& actions, const Resting& resting,
       static_cast<std::size_t>(terms.size()) != rows * Terms::kCount) {
     throw Error("step: resting, observations or terms have another size than the rollout's");
   }
+  // Results are written into the caller's arrays, without a copy or an allocation in each step.
   const Rollout::Results results{observations.mutable_data(), terms.mutable_data()};
   const bool* rests = resting.data();
+  // The worlds step on other threads; no Python object is touched until the lock is back.
   const py::gil_scoped_release unlocked;
   rollout.step(numbers, rests, results);
 }

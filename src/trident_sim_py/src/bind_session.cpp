@@ -97,6 +97,7 @@ void bind_session(py::module_& module) {
                m.text + ">";
       });
   module.attr("Message").attr("__module__") = "trident_sim";
+  // Private: trident_sim.World is the class that users see.
   py::class_<Session, std::shared_ptr<Session>>(module, "Session")
       .def(py::init(&make_session), py::arg("world"), py::arg("seed"), py::arg("timing"),
            py::arg("folders"), py::arg("plugins"), py::arg("sensor_threads"), py::arg("strict"))

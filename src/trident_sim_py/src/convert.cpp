@@ -28,6 +28,7 @@ void check_finite(const NumpyArray& array, const std::string& what) {
 NumpyArray to_array(const py::handle& value, const std::string& what, int dimensions) {
   NumpyArray array = NumpyArray::ensure(value);
   if (!array) {
+    // numpy's error is replaced by one that names the argument.
     PyErr_Clear();
     throw Error(what + " is " + py::repr(value).cast<std::string>() + ", legal: numbers");
   }
@@ -54,6 +55,7 @@ SE3 to_pose(const py::handle& value, const std::string& what) {
     throw Error(what + " has shape " + shape_text(array) +
                 ", legal: (3,) x y z, (6,) x y z roll pitch yaw, (7,) x y z qx qy qz qw");
   }
+  // Eigen's constructor takes w first, the array has it last.
   const Eigen::Quaterniond R(x[6], x[3], x[4], x[5]);
   if (std::abs(R.norm() - 1.0) > 1e-3) {
     throw Error(what + ": quaternion of norm " + std::to_string(R.norm()) + ", legal: 1");

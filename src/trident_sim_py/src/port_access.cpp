@@ -139,6 +139,7 @@ py::object PortView::read() {
   const PortBase& port = required(PortDirection::kOut);
   const PortType& type = required_type(port);
   if (!subscribed()) subscribe(true);
+  // A restored snapshot has counts of its own: everything in it is new to the reader.
   if (restores_seen_ != session_->restore_count()) {
     restores_seen_ = session_->restore_count();
     seen_ = 0;
@@ -152,10 +153,12 @@ void PortView::write(const py::args& args, const py::kwargs& kwargs) {
   PortBase& port = required(PortDirection::kIn);
   const PortType& type = required_type(port);
   const py::object sample_class = py::module_::import("trident_sim._core").attr(type.name);
+  // Either a sample as it is, or the arguments that its class is made of.
   const bool is_sample =
       args.size() == 1 && kwargs.empty() && py::isinstance(args[0], sample_class);
   const py::object sample =
       is_sample ? py::reinterpret_borrow<py::object>(args[0]) : sample_class(*args, **kwargs);
+  // A port holds few values between two steps; more would be lost silently.
   session_->count_write(port, type.depth);
   type.write(port, sample);
 }

@@ -20,6 +20,7 @@ Rollout::Rollout(std::vector<std::shared_ptr<Session>> sessions,
   const auto& team = stages_.front().agents;
   sizes_ = {stages_.size(), team.size(), team.front()->action_size(),
             team.front()->observation_size(team.size())};
+  // All agents share one space of actions and one of observations.
   for (const auto& agent : team) {
     if (agent->action_size() != sizes_.action ||
         agent->observation_size(team.size()) != sizes_.observation) {
@@ -92,6 +93,8 @@ void Rollout::step_one(std::size_t number, const float* actions, const Results& 
       const float* action = actions + (first + i) * sizes_.action;
       chosen.agents[i]->act({action, sizes_.action}, period_s);
     }
+    // All act on the same state, then all look at the same
+    // state: an agent's place in the list is no advantage.
     world.step(steps_);
     for (const auto& agent : chosen.agents) agent->look();
     for (std::size_t i = 0; i < sizes_.agents; ++i) {
@@ -110,6 +113,7 @@ void Rollout::step(const float* actions, const bool* resting, const Results& res
     if (resting == nullptr || !resting[0]) step_one(0, actions, results);
     return;
   }
+  // Worlds share nothing, so that each steps as it would alone, on whichever thread.
   workers_.share(sizes_.worlds, [&](std::size_t world, std::size_t /*worker*/) {
     if (resting == nullptr || !resting[world]) step_one(world, actions, results);
   });
