@@ -49,6 +49,7 @@ class Gps : public MeasuringPlugin {
         PortRank::kSensor);
     fix_->value.frame = speed_->value.frame = link_.name;
     const Eigen::Vector3d variance = position_noise_.stddev.cwiseAbs2();
+    // Row-major, in [m^2], along east, north, up, as sensor_msgs/NavSatFix has it.
     fix_->value.covariance_enu = {variance.x(), 0, 0, 0, variance.y(), 0, 0, 0, variance.z()};
   }
 
@@ -58,6 +59,7 @@ class Gps : public MeasuringPlugin {
     const std::uint64_t index = clock_.count_at(info);
     const Eigen::Vector3d p_world = link_.T_world_link() * T_link_antenna_.p;
     if (fix_->wanted()) {
+      // The world is flat and tangent to the ellipsoid at the origin: local Cartesian coordinates.
       const Eigen::Vector3d p_enu =
           R_enu_world_ * p_world + position_noise_.sample(stream_, index, 0);
       GnssFixSample& fix = fix_->value;

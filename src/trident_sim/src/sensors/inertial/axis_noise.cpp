@@ -92,6 +92,7 @@ AxisNoiseSource::AxisNoiseSource(const AxisNoise& noise, double dt_s, std::uint3
   if (noise.dynamic_bias_stddev <= 0.0 || noise.dynamic_bias_correlation_time_s <= 0.0) return;
   // The driving noise that keeps the bias at its standard deviation.
   const double tau = noise.dynamic_bias_correlation_time_s;
+  // A first-order Gauss-Markov process with driving noise q has the variance q^2 tau / 2.
   wandering_.emplace(GaussMarkovParams{noise.dynamic_bias_stddev * std::sqrt(2.0 / tau), tau, 0.0},
                      dt_s, channel + 3);
 }
@@ -100,7 +101,9 @@ double AxisNoiseSource::sample(const RandomStream& stream, std::uint64_t index) 
   double value = noise_.mean;
   if (noise_.stddev > 0.0) value += noise_.stddev * stream.normal(index, channel_);
   if (noise_.bias_mean != 0.0 || noise_.bias_stddev > 0.0) {
+    // Index 0 for every sample: the turn-on bias is drawn once and stays for the whole run.
     const double bias = noise_.bias_mean + noise_.bias_stddev * stream.normal(0, channel_ + 1);
+    // As in Gazebo, the bias has either sign with equal probability.
     value += (stream.bits(0, channel_ + 1) & 1U) != 0U ? bias : -bias;
   }
   return wandering_ ? value + wandering_->sample(stream, index) : value;

@@ -95,6 +95,7 @@ class GazeboImu : public MeasuringPlugin {
       out.R_world_imu = out.R_world_imu * Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ());
     }
     out.w_imu = R_imu_world * site_.link->w_world() - taken_out_;
+    // Specific force a - g, as an accelerometer measures it.
     out.a_imu = R_imu_world * (acceleration_world(info.dt_s) - world.physics().gravity);
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
       out.w_imu[axis] += noise(axis, index);
@@ -130,6 +131,7 @@ class GazeboImu : public MeasuringPlugin {
     const Eigen::Vector3d r = link.T_world_link().R * site_.T_link_imu.p;
     const Eigen::Vector3d w = link.w_world();
     const Eigen::Vector3d dw = (w - link.body->previous_angular_velocity()) / dt_s;
+    // Acceleration of a point of a rigid body: that of the origin, tangential and centripetal part.
     return acceleration + dw.cross(r) + w.cross(w.cross(r));
   }
 
@@ -204,6 +206,7 @@ void set_stddev(double stddev, ImuNoises& noises) {
 /// What a mounting that is off by `rpy` does to the means that are not given, as upstream.
 void add_mounting(const Eigen::Vector3d& rpy, ImuNoises& noises) {
   constexpr double kGravity = 9.8065;  // upstream's
+  // Small angles: a roll error shows gravity's reaction on y, a pitch error on x.
   if (noises.accel[1].mean == 0.0) noises.accel[1].mean = -rpy.x() * kGravity;
   if (noises.accel[0].mean == 0.0) noises.accel[0].mean = rpy.y() * kGravity;
   if (noises.heading.mean == 0.0) noises.heading.mean = rpy.z();

@@ -121,6 +121,7 @@ class HectorGps : public HectorSensor {
         advertise_here<VectorSample>(context, params.text("velocityTopicName", "fix_velocity"));
     const Eigen::Matrix3d covariance =
         R_enu_world_ * position_.variance().asDiagonal() * R_enu_world_.transpose();
+    // The errors are along the world's axes, so their covariance turns with the world's heading.
     Eigen::Map<Eigen::Matrix3d>(fix_->value.covariance_enu.data()) = covariance;
   }
 
@@ -149,6 +150,7 @@ class HectorGps : public HectorSensor {
           link_velocity_world(link()) + velocity_.sample(stream(), index);
       const Eigen::Vector3d v_enu = R_enu_world_ * v_world;
       speed_->value.stamp = stamp;
+      // East, north, up to upstream's north, west, up.
       speed_->value.value = {v_enu.y(), -v_enu.x(), v_enu.z()};
       speed_->publish();
     }
@@ -174,6 +176,8 @@ class HectorMagnetic : public HectorSensor {
     const double declination = deg_to_rad(params.number("declination", 0.0, {-180.0, 180.0}));
     const double inclination = deg_to_rad(params.number("inclination", 60.0, {-90.0, 90.0}));
     const double heading = heading_of(context) - declination;
+    // Magnetic north is at this angle from the world's x axis, counterclockwise; the field dips
+    // below the horizon by the inclination.
     field_world_ = magnitude * Eigen::Vector3d(std::cos(inclination) * std::cos(heading),
                                                std::cos(inclination) * std::sin(heading),
                                                -std::sin(inclination));

@@ -93,6 +93,7 @@ class LaserScanner : public MeasuringPlugin {
 
  private:
   double beam_period_s() const {
+    // The mirror makes one full turn a scan, however wide the fan of beams is.
     return spec_.horizontal.increment_rad() / kTurn / clock_.rate_hz();
   }
 
@@ -142,11 +143,13 @@ class LaserScanner : public MeasuringPlugin {
   }
 
   float measured(double distance_m, std::uint32_t beam, NormalRow& noise) const {
+    // REP 117: a beam without a return within the range is +infinity.
     if (!(distance_m < spec_.range_max_m)) return std::numeric_limits<float>::infinity();
     double noisy = distance_m + spec_.noise.mean;
     if (spec_.noise.stddev > 0.0) {
       noisy += spec_.noise.stddev * static_cast<double>(noise.at(beam));
     }
+    // As in Gazebo, noise does not take a return out of the sensor's range.
     return static_cast<float>(std::clamp(noisy, spec_.range_min_m, spec_.range_max_m));
   }
 

@@ -39,6 +39,7 @@ std::vector<double> read_elevations(const BeamFan& fan, const PluginParams& para
     for (int i = 0; i < fan.beams; ++i) elevations.push_back(fan.angle_rad(i));
     return elevations;
   }
+  // Ring 0 is the lowest beam, as in Velodyne's ROS driver.
   const bool rises = std::is_sorted(elevations.begin(), elevations.end());
   const bool fits = static_cast<int>(elevations.size()) == fan.beams;
   if (!rises || !fits || elevations.front() < -kPi / 2 || elevations.back() > kPi / 2) {
@@ -77,6 +78,7 @@ class RingPattern : public LidarPattern {
                      Neighbors::kAcrossColumns) {
     const double spin = column_period_s > 0.0 ? fan.increment_rad() / column_period_s : 0.0;
     for (std::size_t i = 0; i < elevations.size(); ++i) {
+      // The head turns while a column is fired, so a later beam is further in azimuth.
       const double azimuth = spin * this->beams()[i].time_s, level = std::cos(elevations[i]);
       directions_.emplace_back(level * std::cos(azimuth), level * std::sin(azimuth),
                                std::sin(elevations[i]));
@@ -126,6 +128,8 @@ class RosettePattern : public LidarPattern {
   void aim(std::uint64_t scan, std::size_t column, Eigen::Vector3d* directions) const override {
     const double begin_s = static_cast<double>(scan) * scan_period_s_;
     const double reach = 0.5 * std::tan(prisms_.cone_half_rad);
+    // As complex numbers: the phasor at the scan's beginning times the one within the scan, which
+    // saves a sine and a cosine for every beam.
     const Eigen::Vector2d turn1 = reach * phasor(prisms_.rate1_rad_s, begin_s);
     const Eigen::Vector2d turn2 = reach * phasor(prisms_.rate2_rad_s, begin_s);
     for (std::size_t i = 0; i < kGroup; ++i) {
@@ -169,6 +173,7 @@ std::unique_ptr<LidarPattern> make_rings(const PatternRequest& request,
   const double column_s = request.is_rolling ? fan.increment_rad() / kTurn / request.rate_hz : 0.0;
   const double beam_s = params.number("beamPeriod", 0.0, {0.0, 1.0});
   std::vector<LidarPattern::Beam> beams(elevations.size());
+  // The field "ring" of the clouds is a uint16.
   if (beams.size() > std::numeric_limits<std::uint16_t>::max()) {
     throw Error(params.owner() + ": <vertical> has " + std::to_string(beams.size()) +
                 " <samples>, must be at most 65535");
@@ -228,6 +233,7 @@ LidarPattern::LidarPattern(std::size_t columns, double column_period_s, std::vec
       firing_order_(beams_.size()),
       neighbors_(neighbors) {
   std::iota(firing_order_.begin(), firing_order_.end(), std::size_t{0});
+  // Stable, so that beams of one time, all of them in a snapshot, stay in the order of the rings.
   std::stable_sort(
       firing_order_.begin(), firing_order_.end(),
       [this](std::size_t a, std::size_t b) { return beams_[a].time_s < beams_[b].time_s; });

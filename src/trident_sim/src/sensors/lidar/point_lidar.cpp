@@ -74,6 +74,7 @@ class PointLidar : public MeasuringPlugin, public RayJob {
   Eigen::Vector2d viewer() const override { return T_world_sensor_.p.head<2>(); }
 
   std::size_t begin() override {
+    // On the stepping thread, because the parts on the other threads only read the surface.
     caster_.refresh_water(T_world_sensor_.p);
     step_.blocks.clear();
     for (const Cast& cast : step_.casts) divide(cast);
@@ -82,6 +83,7 @@ class PointLidar : public MeasuringPlugin, public RayJob {
   }
 
   void run_part(std::size_t part) override {
+    // One buffer a thread, whose memory serves all the parts that the thread casts.
     thread_local Beams beams;
     const Block& block = step_.blocks[part];
     cast_block(block, beams);
@@ -90,6 +92,8 @@ class PointLidar : public MeasuringPlugin, public RayJob {
   }
 
   void finish() override {
+    // In the order of the blocks, whichever thread cast
+    // them: the cloud is the same for any number of threads.
     std::size_t part = 0;
     for (const Cast& cast : step_.casts) {
       for (; part < step_.blocks.size() && step_.blocks[part].cast == &cast; ++part) {
@@ -211,7 +215,9 @@ class PointLidar : public MeasuringPlugin, public RayJob {
     const std::uint64_t scan = block.cast->due.scan;
     const std::size_t beams = pattern_->beams().size(), column = block.first + i;
     const double begin_s = static_cast<double>(column) * pattern_->column_period_s();
+    // In the firing order the points of a cloud are sorted by their time.
     for (const std::size_t beam : pattern_->firing_order()) {
+      // Noise is a function of scan and beam alone, so that it does not depend on the thread.
       const auto channel = static_cast<std::uint32_t>(column * beams + beam);
       const RayHit hit = caster_.hit(own.batch, place(block, beam, i), scan, channel);
       if (!(hit.distance_m < limits_.range_max_m)) continue;
@@ -231,6 +237,7 @@ class PointLidar : public MeasuringPlugin, public RayJob {
 
   void publish(SimTime stamp) {
     cloud_->value.stamp = stamp;
+    // Swapped and not copied: both buffers keep the memory of a full cloud.
     cloud_->value.points.swap(points_);
     points_.clear();
     cloud_->publish();

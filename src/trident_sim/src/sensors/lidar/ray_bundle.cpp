@@ -11,6 +11,7 @@ namespace trident::sim {
 namespace {
 
 double lower_rate(double sensor_hz, double plugin_hz) {
+  // A rate of 0 means every step, which is the fastest and not the lowest.
   if (sensor_hz <= 0.0) return plugin_hz;
   return plugin_hz > 0.0 ? std::min(sensor_hz, plugin_hz) : sensor_hz;
 }

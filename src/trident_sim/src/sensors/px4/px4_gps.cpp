@@ -56,6 +56,7 @@ class Px4Gps : public MeasuringPlugin {
     read_noise(context);
     const SphericalCoordinates& origin = context.world.spherical();
     earth_.Reset(origin.latitude_deg, origin.longitude_deg, origin.elevation_m);
+    // The heading turns the world's x axis from east to north.
     R_enu_world_ = Eigen::AngleAxisd(deg_to_rad(origin.heading_deg), Eigen::Vector3d::UnitZ())
                        .toRotationMatrix();
     const std::string topic = vehicle_topic(context, context.params.text("gpsTopic", "gps"));
@@ -97,6 +98,7 @@ class Px4Gps : public MeasuringPlugin {
     is_noisy_ = params.flag("gpsNoise", false);
     const double period_s =
         clock_.rate_hz() > 0.0 ? 1.0 / clock_.rate_hz() : context.world.physics().max_step_size_s;
+    // Two channels of the random stream for each axis: white noise and bias.
     errors_ = {{xy, xy_walk, period_s, 0}, {xy, xy_walk, period_s, 2}, {z, z_walk, period_s, 4}};
     const double root = std::sqrt(period_s);
     velocity_noise_.stddev = root * Eigen::Vector3d(v_xy, v_xy, v_z);

@@ -124,10 +124,12 @@ class Battery : public Plugin {
     }
     asked_.resize(thrusters_.size(), nullptr);
     for (std::size_t i = 0; i < thrusters_.size(); ++i) {
+      // Found by name in each step: the port is the thruster's and may be gone, or be another one.
       auto* const thrust = world.ports().find_out<ScalarSample>(thrusters_[i]);
       if (thrust == nullptr) continue;
       if (thrust != asked_[i]) thrust->add_listener();
       asked_[i] = thrust;
+      // Momentum theory of an actuator disk: ideal power grows with the thrust to the power of 3/2.
       power += thruster_w_ * std::pow(std::abs(thrust->value.value) / max_thrust_n_, 1.5);
     }
     return power;

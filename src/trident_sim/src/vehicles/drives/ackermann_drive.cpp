@@ -19,9 +19,11 @@ namespace {
 /// target within a step, but not beyond.
 PidGains bounded(PidGains gains, double inertia, double dt_s, DriveMode mode) {
   if (mode == DriveMode::kVelocity) {
+    // An effort p e changes the rate by p e dt / I in a step; more than e would overshoot.
     gains.p = std::min(gains.p, inertia / dt_s);
     gains.d = std::min(gains.d, 0.5 * inertia);
   } else {
+    // The same effort moves the joint by p e dt^2 / I in a step (semi-implicit Euler).
     gains.p = std::min(gains.p, inertia / (dt_s * dt_s));
     gains.d = std::min(gains.d, inertia / dt_s);
   }
@@ -78,6 +80,7 @@ class RearWheel {
       : wheel_(joint, 2.0 * spec.wheel_radius_m, spec.speed_gains ? 0.0 : spec.drive_torque,
                spec.acceleration) {
     if (!spec.speed_gains) return;
+    // The effort replaces the motor that DrivenWheel gave the joint.
     joint.motor.reset();
     effort_ = std::make_unique<EffortDrive>(world, joint, *spec.speed_gains, DriveMode::kVelocity);
   }
@@ -151,6 +154,8 @@ class AckermannDrive : public Plugin {
     const Eigen::Vector2d angles = spec_.geometry.wheel_angles(wanted_.steering);
     front_.left.aim(angles[0], info.dt_s);
     front_.right.aim(angles[1], info.dt_s);
+    // For the measured angle, not the wanted one: the rear wheels must not scrub while the front
+    // wheels are still turning to their angles.
     const Eigen::Vector2d speeds = spec_.geometry.rear_speeds(wanted_.speed, steering());
     rear_.left.drive(speeds[0], info.dt_s);
     rear_.right.drive(speeds[1], info.dt_s);
@@ -222,14 +227,19 @@ class AckermannDrive : public Plugin {
   void take_command(World& world) {
     const bool is_new = command_.is_new();
     const double speed = command_.command().v_base.x();
+    // In reverse a turn to the left needs the wheels to the right.
     const double turn = std::copysign(1.0, speed) * command_.command().w_base.z();
     double steering = turn;
     if (spec_.turn_is_yaw_rate) {
+      // Bicycle model: tan(steering) = wheelbase * yaw rate / speed. At rest it is a quarter turn,
+      // which the limit below cuts.
       steering = std::atan2(spec_.geometry.wheelbase_m * turn, std::abs(speed));
     }
+    // The steering angle comes first, because the speeds at the rims depend on it.
     wanted_.steering =
         steering * limits_.steering.factor(world, steering, spec_.max_steer_rad, is_new);
     wanted_.speed = speed * limits_.speed.factor(world, speed, spec_.max_speed, is_new);
+    // The faster of the rear wheels, the outer one in a turn, limits the speed of the axle.
     const double rim =
         spec_.geometry.rear_speeds(wanted_.speed, wanted_.steering).cwiseAbs().maxCoeff();
     const double limit = std::min(rear_.left.speed_limit(), rear_.right.speed_limit());
@@ -243,8 +253,10 @@ class AckermannDrive : public Plugin {
     }
     const SE2& T_base_axle = spec_.T_base_axle;
     BaseState state;
+    // The odometry of the axle starts at the axle; that of the base must start at the base.
     state.T_odom_base = (T_base_axle * odometry_.T_odom_axle() * T_base_axle.inverse()).to_se3();
     const double speed = 0.5 * spec_.wheel_radius_m * (rear_.left.rate() + rear_.right.rate());
+    // Bicycle model about the middle of the rear axle, which moves along its own x only.
     const double yaw_rate = speed * std::tan(steering()) / spec_.geometry.wheelbase_m;
     const Eigen::Vector3d twist = T_base_axle.adjoint() * Eigen::Vector3d(speed, 0.0, yaw_rate);
     state.v_base = {twist.x(), twist.y(), 0.0};

@@ -91,6 +91,7 @@ class Elements {
     if (!(in >> lowest >> highest) || in >> rest || lowest > 0.0 || highest < 0.0) {
       params_.refuse(element, params_.text(element, ""), "two numbers about 0, the lower first");
     }
+    // PidGains has one limit for both signs: the wider one counts.
     return std::max(-lowest, highest);
   }
 
@@ -167,6 +168,7 @@ void read_geometry(const Elements& elements, const PluginContext& context, Acker
   const Eigen::Vector2d rear = place(*spec.rear[0]) - place(*spec.rear[1]);
   spec.geometry = {ahead.norm(), left.norm(), rear.norm()};
   validate(spec.geometry);
+  // The z of (ahead x left) is positive if left really is on the left.
   if (ahead.x() * left.y() - ahead.y() * left.x() < 0.0) {
     context.params.refuse(elements.key("front_left_joint"), spec.front[0]->spec.name,
                           "the joint on the left when it drives ahead");
@@ -187,6 +189,7 @@ void read_geometry(const Elements& elements, const PluginContext& context, Acker
 /// Bounded so that the inner wheel reaches its angle within the limits of its joint.
 void read_steering(const Elements& elements, const PluginContext& context, AckermannSpec& spec) {
   spec.max_steer_rad = elements.number("max_steer", 0.6, {1e-6, 1.5});
+  // Just below a quarter turn, where the tangent is infinite.
   double inner = 1.57;
   for (const Joint* joint : spec.steering) {
     inner = std::min({inner, joint->axes[0].spec.upper, -joint->axes[0].spec.lower});

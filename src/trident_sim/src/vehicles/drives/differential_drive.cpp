@@ -104,9 +104,11 @@ class DifferentialDrive : public Plugin {
 
  private:
   void set_speeds(World& world) {
+    // Rim speeds v -+ w s / 2 of the left and the right side.
     const double ahead = command_.command().v_base.x();
     const double aside = 0.5 * spec_.separation_m * command_.command().w_base.z();
     const double fastest = std::max(std::abs(ahead - aside), std::abs(ahead + aside));
+    // The slowest wheel limits all: one factor for both sides keeps the curvature of the path.
     double limit = wheels_.front().speed_limit();
     for (const DrivenWheel& wheel : wheels_) limit = std::min(limit, wheel.speed_limit());
     const double factor = limit_.factor(world, fastest, limit, command_.is_new());
@@ -140,6 +142,7 @@ class DifferentialDrive : public Plugin {
     const double right = radius * mean(spec_.right, &Joint::velocity);
     BaseState state;
     state.T_odom_base = odometry_.T_odom_base().to_se3();
+    // Forward kinematics of a differential drive whose wheels do not slip.
     state.v_base.x() = 0.5 * (left + right);
     state.w_base.z() = (right - left) / spec_.separation_m;
     if (spec_.encoder_variance_m > 0.0) output_.set_planar_covariance(odometry_.covariance());
@@ -203,6 +206,7 @@ DifferentialSpec read_diff_drive(const PluginContext& context) {
   spec.right = {swapped ? &left : &right};
   spec.torque_limit = params.number("wheelTorque", 5.0, kNotNegative);
   spec.acceleration = params.number("wheelAcceleration", 0.0, kNotNegative);
+  // Upstream's <publishTf> switches the odometry topic and the transform together.
   spec.with_odometry_topic = params.flag("publishTf", true);
   spec.with_odometry_transform = spec.with_odometry_topic && params.flag("publishOdomTF", true);
   spec.with_wheel_transforms = params.flag("publishWheelTF", false);
@@ -240,6 +244,7 @@ DifferentialSpec read_kobuki(const PluginContext& context) {
   spec.diameter_m = params.number("wheel_diameter", 0.07, kLength);
   spec.torque_limit = params.number("torque", 1.0, kNotNegative);
   spec.command_timeout_s = params.number("velocity_command_timeout", 0.6, kNotNegative);
+  // The rate at which a Kobuki base reports to its driver.
   spec.rate_hz = 50.0;
   spec.command_topic = scoped_topic(params, "mobile_base/commands/velocity");
   spec.joint_states_topic = scoped_topic(params, "joint_states");

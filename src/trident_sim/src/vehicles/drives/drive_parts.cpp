@@ -14,6 +14,7 @@ BaseState base_state_in_world(const Model& model) {
   const Link* link = model.canonical_link();
   if (link == nullptr) return state;
   const Eigen::Vector3d v_world = link_velocity_world(*link);
+  // In the axes of the yaw alone: planar odometry does not show how the body rolls and pitches.
   const double yaw = SE2::projected(state.T_odom_base).angle;
   const double c = std::cos(yaw), s = std::sin(yaw);
   state.v_base = {c * v_world.x() + s * v_world.y(), c * v_world.y() - s * v_world.x(), 0.0};
@@ -39,6 +40,7 @@ void OdometryOutput::set_covariance(const Covariance6& pose, const Covariance6& 
 
 void OdometryOutput::set_planar_covariance(const Eigen::Matrix3d& covariance) {
   if (!odometry_) return;
+  // x, y and yaw in the order (x, y, z, roll, pitch, yaw) of geometry_msgs/PoseWithCovariance.
   constexpr std::size_t kRows[] = {0, 1, 5};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -69,6 +71,7 @@ void OdometryOutput::publish(SimTime stamp, const BaseState& state) {
 }
 
 Covariance6 planar_covariance(double x, double y, double yaw) {
+  // As gazebo_ros' drives write for z, roll and pitch, which wheels do not measure.
   constexpr double kUnknown = 1e12;
   Covariance6 result{};
   const double diagonal[] = {x, y, kUnknown, kUnknown, kUnknown, yaw};
@@ -112,6 +115,7 @@ double DrivenWheel::speed_limit() const {
 
 void DrivenWheel::drive(double dt_s) {
   const double change = wanted_ - ramped_;
+  // Without an acceleration the whole change is made in this step.
   const double most = acceleration_ > 0.0 ? acceleration_ * dt_s : std::abs(change);
   ramped_ += std::clamp(change, -most, most);
   joint_->motor = JointMotor{ramped_ / radius_m_, torque_limit_};

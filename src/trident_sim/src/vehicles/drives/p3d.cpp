@@ -58,6 +58,7 @@ class P3d : public Plugin {
       frame_ = advertise_frame(context, value.parent_frame, value.child_frame);
     }
     for (std::size_t i = 0; i < 6; ++i) {
+      // As upstream, although only the velocities are disturbed.
       value.pose_covariance[7 * i] = value.twist_covariance[7 * i] = noise_ * noise_;
     }
   }
@@ -71,11 +72,13 @@ class P3d : public Plugin {
     const Eigen::Quaterniond R_frame_world = T_world_frame.R.conjugate();
     Eigen::Vector3d v = link_velocity_world(link_), w = link_.w_world();
     if (reference_ != nullptr) {
+      // As upstream, the difference of the velocities, without the part w x r of a turning frame.
       v -= link_velocity_world(*reference_);
       w -= reference_->w_world();
     }
     const SE3 T_frame_link = T_world_frame.inverse() * link_.T_world_link();
     value.stamp = info.end;
+    // As upstream, the offset is in the axes of the reference frame, not in those of the link.
     value.T_parent_child.p = T_frame_link.p + offset_.p;
     value.T_parent_child.R = (offset_.R * T_frame_link.R).normalized();
     const Eigen::Quaterniond R_twist_world =

@@ -25,6 +25,8 @@ VelocityInput::VelocityInput(const PluginContext& context, const std::string& to
 
 void VelocityInput::poll(World& world) {
   is_new_ = false;
+  // All that came since the last poll are checked, so that
+  // each bad one is reported; the last good one counts.
   for (seen_ = std::max(seen_, port_->oldest()); seen_ < port_->count(); ++seen_) {
     const TwistCommand& next = port_->at(seen_);
     if (is_motion(next.v_base, next.w_base)) {
@@ -61,6 +63,7 @@ void VelocityInput::reset() {
 double CommandLimit::factor(World& world, double value, double limit, bool is_new) const {
   const double excess = std::abs(value) / limit;
   if (!(excess > 1.0)) return 1.0;
+  // One report a command, not one a control period.
   if (is_new) {
     const std::string legal = "[" + std::to_string(-limit) + ", " + std::to_string(limit) + "]";
     world.diagnose({Severity::kWarning,

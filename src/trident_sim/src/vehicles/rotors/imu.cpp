@@ -49,7 +49,9 @@ class Imu : public MeasuringPlugin {
                                 PortRank::kSensor);
     ImuSample& value = imu_->value;
     value.frame = link_.name;
+    // sensor_msgs/Imu: -1 in the first element says that the orientation is not an estimate.
     value.orientation_covariance[0] = -1.0;
+    // As in RotorS, squares of the continuous densities, not of the discrete noise.
     for (std::size_t i : {0, 4, 8}) {
       value.gyro_covariance[i] = square(noise_params_.gyroscope.noise_density);
       value.accel_covariance[i] = square(noise_params_.accelerometer.noise_density);
@@ -62,6 +64,7 @@ class Imu : public MeasuringPlugin {
  protected:
   void measure(const World& world, const StepInfo& info) override {
     if (!imu_->wanted()) return;
+    // White noise and bias are discretized for one step size, so a new one needs a new model.
     if (info.dt_s != noise_dt_s_) {
       noise_ = ImuNoise(noise_params_, info.dt_s, stream_);
       noise_dt_s_ = info.dt_s;
@@ -71,6 +74,7 @@ class Imu : public MeasuringPlugin {
     out.R_world_imu = link_.T_world_link().R;
     const Eigen::Quaterniond R_imu_world = out.R_world_imu.conjugate();
     out.w_imu = R_imu_world * link_.w_world();
+    // Specific force a - g: an IMU at rest measures +9.81 m/s^2 on the axis that points up.
     out.a_imu = R_imu_world * (link_acceleration_world(link_, info.dt_s) - world.physics().gravity);
     noise_.add(info.sample, &out.w_imu, &out.a_imu);
     imu_->publish();

@@ -126,18 +126,22 @@ class MotorModel : public Plugin {
     const Eigen::Matrix3d& R = body.rotation();
     const double speed =
         (joint_.is_rotor ? joint_.rotor_velocity : joint_.velocity()) * constants_.slowdown;
+    // T = k_m w |w|: its sign is that of the speed, so a rotor that turns backwards pushes down.
     const double thrust = constants_.direction * std::abs(speed) * speed * constants_.motor;
     const Eigen::Vector3d axis = R * joint_.rotor_axis_body;
     // Thrust acts along the rotor link's z, which leans with the rotor's axis.
     Eigen::Vector3d thrust_axis = axis;
     if (!tilt_.is_none) thrust_axis += R * tilt_.along_body;
+    // From the body's center of mass, to which apply_force() applies a force, to the rotor's.
     const Eigen::Vector3d arm = R * arm_body_;
     const Eigen::Vector3d velocity =
         body.velocity() + body.angular_velocity().cross(arm) - wind_velocity(arm);
+    // H-force and rolling moment oppose the part of the airspeed in the plane of the rotor disk.
     const Eigen::Vector3d across = velocity - velocity.dot(axis) * axis;
     const Eigen::Vector3d force =
         thrust * thrust_axis - std::abs(speed) * constants_.rotor_drag * across;
     body.apply_force(force);
+    // The drag torque on the airframe is opposite to the rotor's turning direction.
     body.apply_torque(arm.cross(force) -
                       constants_.direction * thrust * constants_.moment * thrust_axis -
                       std::abs(speed) * constants_.rolling_moment * across);
@@ -153,6 +157,7 @@ class MotorModel : public Plugin {
   void advance_speed(double dt_s) {
     if (dt_s != decay_.dt_s) {
       decay_.dt_s = dt_s;
+      // The lag's exact solution over a step, stable for time constants below the step size.
       decay_.up = std::exp(-dt_s / decay_.time_constant_up_s);
       decay_.down = std::exp(-dt_s / decay_.time_constant_down_s);
     }

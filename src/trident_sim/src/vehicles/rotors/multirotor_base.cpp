@@ -56,6 +56,7 @@ class MultirotorBase : public MeasuringPlugin {
       SmallVector& speeds = motor_speed_->value.angular_velocities;
       speeds.size = rotors_.empty() ? 0 : rotors_.back().first + 1;
       for (const auto& [number, joint] : rotors_)
+        // The joint turns slower than the real rotor by this factor (MotorModel).
         speeds.data[number] = joint->velocity() * slowdown_;
       motor_speed_->value.stamp = info.end;
       motor_speed_->publish();
