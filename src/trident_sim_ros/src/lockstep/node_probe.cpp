@@ -139,8 +139,8 @@ bool NodeProbe::sends(const std::string& node, const std::string& topic) {
   const bool is_due = asked == answers_->asked_at.end() ||
                       (asked->second >= 0.0 && wall_s() - asked->second > kAskAgain_s);
   if (is_due) {
-    // On a thread of its own: neither the master nor a node
-    // that hangs may hold up a step. Negative: under way.
+    // On a thread of its own: neither the master nor a node that hangs may hold up a step. A
+    // negative time says that the answer is awaited.
     answers_->asked_at["links of " + node] = -1.0;
     std::thread([answers = answers_, node] { ask_for_links(answers, node); }).detach();
   }
