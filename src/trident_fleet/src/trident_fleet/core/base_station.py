@@ -116,10 +116,7 @@ class BaseStation:
 
     def decide(self, heard: Heard) -> None:
         """Take what is known now, and decide where to go."""
-        self._others = [
-            Other(place.position, max(heard.time_s - place.time_s, 0.0))
-            for place in heard.others.values()
-        ]
+        self._others = _others_of(heard)
         self.visits.add(heard)
         if not self._flyer.is_flying:
             return
@@ -180,7 +177,7 @@ class BaseStation:
 
     def _look(self, heard: Heard) -> None:
         """Search, hold or follow."""
-        known = {name: heard.others[name] for name in self._links if name in heard.others}
+        known = heard.known(self._links)
         if not known:
             self._begin(Phase.SURVEY, "no robot has said where it is", heard.time_s)
             self._fly_to(self._middle())
@@ -237,20 +234,28 @@ class BaseStation:
 
     def _continue(self, heard: Heard, known: dict[str, Place]) -> None:
         """The next step of a survey or a refinement."""
+        is_survey = self.phase is Phase.SURVEY
+        if not self._has_searched(heard, known):
+            return
+        if is_survey:
+            self._refine(heard, known, 1)
+        elif self._round < _ROUNDS:
+            self._refine(heard, known, self._round + 1)
+        else:
+            self._hold(heard, known)
+
+    def _has_searched(self, heard: Heard, known: dict[str, Place]) -> bool:
+        """Continue the search; whether its time is up, or it has no more to gain."""
         assert self._search is not None
         self._search.add(self.visits)
-        search, is_survey = self._config.search, self.phase is Phase.SURVEY
-        limit_s = search.survey_s if is_survey else search.refine_s / _ROUNDS
-        is_over = heard.time_s - self._stage_s >= limit_s
+        search = self._config.search
+        limit_s = search.survey_s if self.phase is Phase.SURVEY else search.refine_s / _ROUNDS
+        if heard.time_s - self._stage_s >= limit_s:
+            return True
         is_there = self._flyer.away_m(self.goal) < _REACHED_M[self.phase]
-        if not is_over and (is_there or self._search.has_gone_wrong):
-            is_over = self._next_place(heard, known) < search.gain_db
-        if is_over and is_survey:
-            self._refine(heard, known, 1)
-        elif is_over and self._round < _ROUNDS:
-            self._refine(heard, known, self._round + 1)
-        elif is_over:
-            self._hold(heard, known)
+        if is_there or self._search.has_gone_wrong:
+            return self._next_place(heard, known) < search.gain_db
+        return False
 
     def _next_place(self, heard: Heard, known: dict[str, Place]) -> float:
         """Continue the search; the gain that is expected of it [dB]."""
@@ -279,19 +284,21 @@ class BaseStation:
     def _watch(self, heard: Heard, known: dict[str, Place]) -> None:
         """Whether the place is still as good as it was."""
         assert self._search is not None
-        search = self._config.search
-        moved = [
-            float(np.linalg.norm(known[name].position - place.position))
-            for name, place in self._search.others.items()
-            if name in known
-        ]
         if self._flyer.away_m(self.goal) > _REACHED_M[Phase.REFINE]:
             self._stage_s = heard.time_s  # It is not there yet.
-        if max(moved, default=0.0) > search.moved_m or set(known) != set(self._search.others):
+        if not self._search.is_about(known):
             self._survey(heard, known, "a robot has moved")
         elif self.found_db is not None and heard.time_s - self._stage_s > _CHECKED_S + 1.0:
             mean_db = self.visits.mean_db(heard.time_s - _CHECKED_S)
-            if mean_db is not None and mean_db < self.found_db - search.drop_db:
+            if mean_db is not None and mean_db < self.found_db - self._config.search.drop_db:
                 # What was measured before is no longer so.
                 self.visits.forget_before(heard.time_s - _CHECKED_S)
                 self._survey(heard, known, f"{mean_db:.1f} dB instead of {self.found_db:.1f} dB")
+
+
+def _others_of(heard: Heard) -> list[Other]:
+    """The other robots as the pilot knows them: where, and for how long that has been known."""
+    return [
+        Other(place.position, max(heard.time_s - place.time_s, 0.0))
+        for place in heard.others.values()
+    ]

@@ -108,21 +108,28 @@ class StationFlight:
         link = self._context.link
         link.wait_for_publisher([clock])
         limit = time.monotonic() + self._settings.fleet.connect_wait_s
+        self._wait_for_own_pose()
+        self._wait_for_radios(limit)
+        for subscriber in [self._inputs.status, *self._inputs.poses]:
+            self._wait_for_connection(subscriber, limit)
+            if self._over.is_set():
+                return
+        for name in self._inputs.uncounted if link.is_lockstep else []:
+            link.not_repeatable(f"{name} counts as it comes")
+
+    def _wait_for_own_pose(self) -> None:
         reported = time.monotonic()
         while not self._inputs.try_subscribe() and not self._over.wait(_POLL_S):
             if time.monotonic() - reported > _REPORT_S:
                 reported = time.monotonic()
                 rospy.logwarn("own_pose: nobody publishes %s yet", self._inputs.own.name)
-        self._wait_for_radios(limit)
-        for subscriber in [self._inputs.status, *self._inputs.poses]:
-            while not _is_connected(subscriber):
-                if self._over.wait(_POLL_S):
-                    return
-                if time.monotonic() >= limit:
-                    self._do_without(subscriber)
-                    break
-        for name in self._inputs.uncounted if link.is_lockstep else []:
-            link.not_repeatable(f"{name} counts as it comes")
+
+    def _wait_for_connection(self, subscriber: rospy.Subscriber, limit: float) -> None:
+        """Wait for the publisher of an input, and do without it from an instant on."""
+        while not _is_connected(subscriber) and not self._over.wait(_POLL_S):
+            if time.monotonic() >= limit:
+                self._do_without(subscriber)
+                return
 
     def _wait_for_radios(self, limit: float) -> None:
         """Of the robots to connect: those that are spawned later come in a moment of chance."""
@@ -148,12 +155,10 @@ class StationFlight:
 
     def _look_at_silence(self) -> None:
         """Silence is measured in wall-clock time, for simulated time stands meanwhile."""
-        if not self._has_begun or not self._context.link.is_lockstep or not self._is_decision:
+        missing = self._missing()
+        if not missing:
             return
-        missing = self._inputs.missing_at(self._elapsed_ns())
         silent_s = time.monotonic() - self._news_at
-        if not missing or self._now_ns < self._start_ns + self._elapsed_ns():
-            return
         if silent_s > _PATIENCE_S and missing not in (
             self._settings.link_status,
             self._inputs.own.name,
@@ -163,6 +168,13 @@ class StationFlight:
         elif time.monotonic() - max(self._reported, self._news_at) > _REPORT_S:
             self._reported = time.monotonic()
             rospy.logwarn("nothing on %s for %.0f s; waiting", missing, silent_s)
+
+    def _missing(self) -> str:
+        """What the world waits for with this flight; "": it does not wait."""
+        if not self._has_begun or not self._context.link.is_lockstep or not self._is_decision:
+            return ""
+        missing = self._inputs.missing_at(self._elapsed_ns())
+        return missing if self._now_ns >= self._start_ns + self._elapsed_ns() else ""
 
     def _leave(self) -> None:
         if not self._over.is_set():
@@ -195,13 +207,17 @@ class StationFlight:
         """Command all periods that are due."""
         while self._has_begun and not self._over.is_set():
             elapsed_ns = self._elapsed_ns()
-            if not self._context.link.is_lockstep and self._now_ns < self._start_ns + elapsed_ns:
+            if not self._is_due(elapsed_ns):
                 return
             if self._is_decision:
-                if self._context.link.is_lockstep and self._inputs.missing_at(elapsed_ns):
-                    return
                 self._decide(elapsed_ns)
             self._send_period()
+
+    def _is_due(self, elapsed_ns: int) -> bool:
+        """Whether the next period can be commanded: in lockstep all inputs, else its time, came."""
+        if self._context.link.is_lockstep:
+            return not (self._is_decision and self._inputs.missing_at(elapsed_ns))
+        return self._now_ns >= self._start_ns + elapsed_ns
 
     def _decide(self, elapsed_ns: int) -> None:
         heard = self._inputs.heard_at(elapsed_ns)

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import rospy
 from geometry_msgs.msg import PoseStamped
@@ -26,6 +26,25 @@ Service = Callable[[OptimizeTrajectoriesRequest], OptimizeTrajectoriesResponse]
 
 class TrajectoryError(ValueError):
     """Trajectories that are not legal, or a team that has none."""
+
+
+def _duration_s(poses: Sequence[PoseStamped]) -> float:
+    """From the first pose to the last one [s]."""
+    return (poses[-1].header.stamp - poses[0].header.stamp).to_sec() if poses else 0.0
+
+
+def _request(
+    teams: Mapping[str, Sequence[PoseStamped]], max_velocity: float, collision_radius: float
+) -> OptimizeTrajectoriesRequest:
+    """Of platforms by kind that take as long as the slowest of them."""
+    duration = max(_duration_s(poses) for poses in teams.values())
+    request = OptimizeTrajectoriesRequest()
+    for kind, poses in teams.items():
+        request.initial.append(timed_path(kind, poses, duration))
+        limits = TrajectoryLimits(robot=kind, max_velocity=max_velocity)
+        limits.collision_radius = collision_radius
+        request.limits.append(limits)
+    return request
 
 
 def timed_path(kind: str, poses: Sequence[PoseStamped], duration: float) -> TimedPath:
@@ -72,16 +91,7 @@ def optimize(
         TrajectoryError: stamps that do not grow, or a team that has no path; the text says why.
     """
     teams = dict(zip(_KINDS, (uav, ugv, usv), strict=True))
-    duration = max(
-        (poses[-1].header.stamp - poses[0].header.stamp).to_sec() if poses else 0.0
-        for poses in teams.values()
-    )
-    request = OptimizeTrajectoriesRequest()
-    for kind, poses in teams.items():
-        request.initial.append(timed_path(kind, poses, duration))
-        limits = TrajectoryLimits(robot=kind, max_velocity=max_velocity)
-        limits.collision_radius = collision_radius
-        request.limits.append(limits)
+    request = _request(teams, max_velocity, collision_radius)
     answer = (service or rospy.ServiceProxy(SERVICE, OptimizeTrajectories))(request)
     if not answer.success:
         raise TrajectoryError(f"{SERVICE}: {answer.message}")

@@ -12,6 +12,7 @@ import struct
 import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -155,15 +156,22 @@ def _read_matrix(element: _Element, order: str) -> Variable:
     flags = _numbers(_next(parts, "flags", element), order)
     shape = _numbers(_next(parts, "dimensions", element), order)
     name = bytes(_next(parts, "name", element).data).decode("latin-1")
+    kind, is_numeric = _class_of(flags, name)
+    if not is_numeric:
+        return Variable(name, kind, None)
+    values = _numbers(_next(parts, "values", element), order).astype(np.float64)
+    return Variable(name, kind, _shaped(values, [int(size) for size in shape], name))
+
+
+def _class_of(flags: npt.NDArray[Any], name: str) -> tuple[str, bool]:
+    """The class of a matrix in words, and whether its values are real numbers."""
     if not len(flags) or not flags[0] & 0xFF:
         raise MatError(f"matrix '{name}' without a class")
     number = int(flags[0]) & 0xFF
     kind = _CLASSES.get(number, f"class {number}")
-    is_complex = bool(int(flags[0]) & _COMPLEX_FLAG)
-    if number < _FIRST_NUMERIC or number not in _CLASSES or is_complex:
-        return Variable(name, f"complex {kind}" if is_complex else kind, None)
-    values = _numbers(_next(parts, "values", element), order).astype(np.float64)
-    return Variable(name, kind, _shaped(values, [int(size) for size in shape], name))
+    if int(flags[0]) & _COMPLEX_FLAG:
+        return f"complex {kind}", False
+    return kind, number >= _FIRST_NUMERIC and number in _CLASSES
 
 
 def _shaped(

@@ -26,8 +26,7 @@ _MAX_CPU_S = 20
 def read(file: Any, wanted: str) -> tuple[list[dict[str, Any]], bytes]:
     """Describe all variables of an open file; bytes of `wanted`, if it is a numeric matrix."""
     found, data = [], b""
-    # A name that is no UTF-8 comes as bytes.
-    for name in sorted(str(name) for name in file if not str(name).startswith(_HIDDEN)):
+    for name in _names(file):
         item, values = file[name], None
         kind = _kind(item)
         if name == wanted and kind in _NUMERIC:
@@ -39,10 +38,20 @@ def read(file: Any, wanted: str) -> tuple[list[dict[str, Any]], bytes]:
     return found, data
 
 
+def _names(file: Any) -> list[str]:
+    """All variables; a name that is no UTF-8 comes as bytes."""
+    return sorted(str(name) for name in file if not str(name).startswith(_HIDDEN))
+
+
+def _named_class(item: Any) -> Any:
+    """What MATLAB has written as the class of a variable, None: nothing."""
+    attribute = item.attrs.get("MATLAB_class")
+    return attribute.decode("latin-1") if isinstance(attribute, bytes) else attribute
+
+
 def _kind(item: Any) -> str:
     """MATLAB class of a variable; for one that MATLAB has not written, the one like it."""
-    attribute = item.attrs.get("MATLAB_class")
-    name = attribute.decode("latin-1") if isinstance(attribute, bytes) else attribute
+    name = _named_class(item)
     if "MATLAB_sparse" in item.attrs:
         return "sparse"
     if not hasattr(item, "size"):

@@ -144,12 +144,17 @@ def _infer_layout(shape: tuple[int, ...], vehicles: int, where: str) -> str:
             f" {', '.join(fitting)} (T steps, N vehicles, 3 axes)"
         )
     wanted = f" with N = vehicles_in_file = {vehicles}" if vehicles and len(shape) == 3 else ""
-    is_wide = len(shape) == 2 and shape[1] % 3 == 0
-    hint = f"; has it a row for each moment? reshape(M', 3, []) is 3x{shape[0] * shape[-1] // 3}"
     raise FormationError(
         f"{where}: {_shape_text(shape)} fits no layout{wanted}; legal: {', '.join(LAYOUTS)}"
-        f"{hint if is_wide else ''}"
+        f"{_reshape_hint(shape)}"
     )
+
+
+def _reshape_hint(shape: tuple[int, ...]) -> str:
+    """How a matrix with a row for each moment becomes legal; "" for any other one."""
+    if len(shape) != 2 or shape[1] % 3 != 0:
+        return ""
+    return f"; has it a row for each moment? reshape(M', 3, []) is 3x{shape[0] * shape[-1] // 3}"
 
 
 def _fitting_layouts(shape: tuple[int, ...], vehicles: int) -> list[str]:

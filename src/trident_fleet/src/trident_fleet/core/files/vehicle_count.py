@@ -55,15 +55,20 @@ def infer_vehicles(rows: Rows, uavs: int, where: str) -> int:
     divisors = _divisors(len(rows))
     continuous = {n: _largest_step(rows, n) for n in divisors if _is_dip(rows, n)}
     if not continuous:
-        _check_whole(rows, where)
-        possible = [n for n in divisors if n >= uavs]
-        return _decided(divisors, possible, uavs, "the rows move in no small steps", where)
+        return _decided_by_uavs(rows, divisors, uavs, where)
     smallest, rivals = _smallest(rows, continuous, uavs)
     doubt = _doubt(rows, smallest, continuous[smallest], rivals)
     if not doubt:
         return smallest
     one_row = set(divisors) & {len(rows)} - set(continuous)
     return _decided([*continuous, *one_row], [], uavs, doubt, where)
+
+
+def _decided_by_uavs(rows: Rows, divisors: list[int], uavs: int, where: str) -> int:
+    """The number where no number of vehicles moves in small steps."""
+    _check_whole(rows, where)
+    possible = [n for n in divisors if n >= uavs]
+    return _decided(divisors, possible, uavs, "the rows move in no small steps", where)
 
 
 def _scaled(rows: Rows) -> Rows:

@@ -203,9 +203,7 @@ class Followers:
         refusal = None
         for lift in (factor * over for factor in _LIFTS):
             above = goal + lift
-            descent = np.concatenate([np.stack([above, goal]), np.stack([own, own])], axis=1)
-            is_low = bool((above[:, 2] < self.config.lowest_m).any())
-            if is_low or min_separation(descent) < required:
+            if not self._may_descend(above, goal, own, required):
                 continue
             try:
                 waves = schedule_waves(start, np.concatenate([above, own]), required)
@@ -215,12 +213,21 @@ class Followers:
                 return float(lift[2]), waves
         raise refusal or FormationError(f"places: too close to the leader; legal: {least:g} m")
 
+    def _may_descend(self, above: Array, goal: Array, own: Array, required: float) -> bool:
+        """Whether places above the goals are high enough, and the descent keeps clear of the leader."""
+        descent = np.concatenate([np.stack([above, goal]), np.stack([own, own])], axis=1)
+        is_low = bool((above[:, 2] < self.config.lowest_m).any())
+        return not is_low and not min_separation(descent) < required
+
     def _look_at(self, leader: LeaderState, elapsed_ns: int, now_s: float) -> None:
         """Go to the next phase when it is time."""
         if self.phase is Phase.JOIN and self._blend is not None and now_s >= self._blend.end_s:
             self.phase, self.joined_s = Phase.FOLLOW, now_s
-        if self.joined_s is None:
-            return
+        if self.joined_s is not None:
+            self._look_for_end(leader, elapsed_ns)
+
+    def _look_for_end(self, leader: LeaderState, elapsed_ns: int) -> None:
+        """It is done once the leader has stood still for long enough."""
         fastest = max(float(np.linalg.norm(leader.velocity)), abs(leader.yaw_rate))
         if fastest > _STILL_SPEED:
             # It was a pause, and no end.

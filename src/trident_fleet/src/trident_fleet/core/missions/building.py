@@ -20,6 +20,7 @@ from trident_fleet.core.missions.tree_file import Tree, TreePlan
 from trident_fleet.core.missions.vehicle import SteppedVehicle, VehicleMaker, kinematic
 from trident_fleet.core.network import Channel
 from trident_fleet.core.search.area import SearchError
+from trident_fleet.core.tasks.fields import Capabilities
 from trident_fleet.core.tasks.member import Member
 from trident_fleet.core.tasks.methods import method_named
 from trident_fleet.core.tasks.plan import Objective, Plan
@@ -69,26 +70,23 @@ class Builder:
         scene, config, setup = self.scene, self.config, self.setup
         kinds = {kind.name: kind for kind in self.kinds.values()}
         self._eyes = SharedEyes(scene.area, config)
-        flies = any(kind.domain == "air" for kind in kinds.values())
-        length_m = _AIR_PIECE_M if flies else _PIECE_M
-        pieces = pieces_of(scene.area, _band_m(kinds, False), _band_m(kinds, True), length_m)
+        bands_m = _band_m(kinds, False), _band_m(kinds, True)
+        pieces = pieces_of(scene.area, *bands_m, _length_m(kinds))
         self._pieces = {piece.name: piece for piece in pieces}
         for name, kind in kinds.items():
-            routes = Routes(scene.area, kind.domain)
-            lanes = Lanes(scene.area, kind, routes)
-            work_m = {piece.place: lanes.work_m(piece) for piece in pieces}
-            self.grounds[name] = Ground(routes, lanes, self._pieces, work_m)
+            self.grounds[name] = self._ground(kind)
         self._owners: dict[str, str] = {}
         if setup.method == FIXED:
             self._owners = fixed_owners(pieces, self.kinds, self.grounds)
         self._method = method_named("plain" if setup.method == FIXED else setup.method)
-        robots = {}
-        for name, kind in self.kinds.items():
-            can = kind.capabilities()
-            robots[name] = type(can)(
-                can.domain, (*can.skills, ONLY + name), speed_m_s=can.speed_m_s
-            )
-        self._team = Team(robots, tuple(self.kinds), _TIMES)
+        self._team = Team(_capabilities(self.kinds), tuple(self.kinds), _TIMES)
+
+    def _ground(self, kind: Kind) -> Ground:
+        """What the robots of a kind share of the area."""
+        routes = Routes(self.scene.area, kind.domain)
+        lanes = Lanes(self.scene.area, kind, routes)
+        work_m = {piece.place: lanes.work_m(piece) for piece in self._pieces.values()}
+        return Ground(routes, lanes, self._pieces, work_m)
 
     def crew(self, name: str, channel: Channel[TeamMessage]) -> Crew:
         """A robot at its base, and what simulates it."""
@@ -124,6 +122,15 @@ class Builder:
         )
 
 
+def _capabilities(kinds: dict[str, Kind]) -> dict[str, Capabilities]:
+    """What the robots can do, and the skill that each has alone."""
+    robots = {}
+    for name, kind in kinds.items():
+        can = kind.capabilities()
+        robots[name] = type(can)(can.domain, (*can.skills, ONLY + name), speed_m_s=can.speed_m_s)
+    return robots
+
+
 def kind_named(config: MissionConfig, name: str) -> Kind:
     """A kind of robot.
 
@@ -133,6 +140,11 @@ def kind_named(config: MissionConfig, name: str) -> Kind:
     if name not in config.kinds:
         raise SearchError(f"mission: kind {name!r} is unknown, legal: {', '.join(config.kinds)}")
     return config.kinds[name]
+
+
+def _length_m(kinds: dict[str, Kind]) -> float:
+    """Length of pieces [m]."""
+    return _AIR_PIECE_M if any(kind.domain == "air" for kind in kinds.values()) else _PIECE_M
 
 
 def _band_m(kinds: dict[str, Kind], wet: bool) -> float:

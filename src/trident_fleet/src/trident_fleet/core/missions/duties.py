@@ -61,20 +61,27 @@ class Duties:
         if member.manager is None or not member.manager.on_duty:
             return
         known = member.follower.book.records
-        wanted = [task for task in self._search if task.task_id not in known]
+        missing = [task for task in self._wanted(robot) if task.task_id not in known]
+        if missing:
+            member.manager.add(missing)
+
+    def _wanted(self, robot: MissionRobot) -> list[TaskAnnounce]:
+        """All that should be done by what a robot knows."""
+        wanted = list(self._search)
         for fix in robot.knowledge.people.values():
-            wanted += [task for task in self._for_person(robot, fix) if task.task_id not in known]
-        if wanted:
-            member.manager.add(wanted)
+            wanted += self._for_person(robot, fix)
+        return wanted
+
+    def _has_rescuer(self, robot: MissionRobot, fix: Fix) -> bool:
+        """Whether somebody who may serve a person is alive, by what a robot knows."""
+        return any(
+            kind.serves and kind.domain == fix.domain and self._is_alive(robot, name)
+            for name, kind in self._kinds.items()
+        )
 
     def _for_person(self, robot: MissionRobot, fix: Fix) -> list[TaskAnnounce]:
-        rescuers = [
-            name
-            for name, kind in self._kinds.items()
-            if kind.serves and kind.domain == fix.domain and self._is_alive(robot, name)
-        ]
         place = robot.knowledge.place_of(fix, robot.now_s)
-        if rescuers:
+        if self._has_rescuer(robot, fix):
             asked = Requirements((fix.domain,), ("serve",))
             task = _task(f"serve/{fix.name}", "serve", place, asked, self._rules.serve_s)
             return [] if fix.served else [task]

@@ -13,7 +13,7 @@ from trident_fleet.core.missions.knowledge import LOOK_S
 from trident_fleet.core.missions.nodes.base import STEP_S
 from trident_fleet.core.missions.reports import Fix, TeamMessage
 from trident_fleet.core.missions.robot import MissionRobot
-from trident_fleet.core.missions.scene import Scene
+from trident_fleet.core.missions.scene import Place, Scene
 from trident_fleet.core.missions.setup import MODES, Outcome, Setup, names_of
 from trident_fleet.core.missions.tour import shorten
 from trident_fleet.core.missions.tree_file import TreePlan
@@ -104,61 +104,63 @@ class Mission:
         alive = [crew for crew in self.crews.values() if crew.alive]
         views = {crew.robot.name: self._move_and_look(crew) for crew in alive}
         self.truth.drift(STEP_S)
-        present = {
-            crew.robot.name: Presence(crew.robot.kind, crew.vehicle.place, crew.vehicle.speed_m_s)
-            for crew in alive
-            if crew.alive
-        }
-        self.truth.tend(present, views, STEP_S)
+        self.truth.tend(_present(alive), views, STEP_S)
         self._contacts += _contacts(alive)
         if self._step % round(_CURVE_S / STEP_S) == 0:
             self._curve.append(self.truth.coverage.share())
 
     def _think(self, crew: Crew) -> None:
-        robot, now_s = crew.robot, self.now_s
-        robot.now_s = now_s
-        reports = crew.port.reports()
-        for report in reports:
-            robot.knowledge.hear(report)
-        alone = not reports and len(self.crews) > 1
-        robot.alone_s = robot.alone_s + STEP_S if alone else 0.0
-        robot.knowledge.update(now_s)
+        robot = crew.robot
+        robot.now_s = self.now_s
+        self._hear_reports(crew)
+        robot.knowledge.update(self.now_s)
         self._update_plan(robot)
         if self._step % 2 == 0:
             self.duties.see_to(robot)
         robot.member.spin()
         crew.tree.tick_once()
         if self._step % 2 == 0 and len(self.crews) > 1:
-            report = robot.knowledge.report(
-                now_s, robot.vehicle.place, robot.doing, robot.battery.charge
-            )
-            crew.port.send(report)
+            _send_report(crew)
+
+    def _hear_reports(self, crew: Crew) -> None:
+        """A robot learns what others know, and for how long it has heard nobody."""
+        reports = crew.port.reports()
+        for report in reports:
+            crew.robot.knowledge.hear(report)
+        alone = not reports and len(self.crews) > 1
+        crew.robot.alone_s = crew.robot.alone_s + STEP_S if alone else 0.0
 
     def _update_plan(self, robot: MissionRobot) -> None:
         """Where the robot is; a rescuer keeps time for those who are not found yet."""
         assert robot.member.robot is not None
-        reserve_s = 0.0
-        if robot.kind.serves:
-            unfound = robot.knowledge.unfound()
-            afloat = robot.kind.domain == "water"
-            left = unfound["water"] if afloat else unfound["open"] + unfound["cover"]
-            each_s = self.config.rules.serve_s + _RESCUE_M / robot.kind.speed_m_s
-            fellows = [k for k in self._kinds.values() if k.domain == robot.kind.domain]
-            reserve_s = left * each_s / len(fellows)
         plan = robot.member.robot.plan
-        plan.moved((*robot.vehicle.place, 0.0), self.now_s + reserve_s)
+        plan.moved((*robot.vehicle.place, 0.0), self.now_s + self._reserve_s(robot))
         if robot.ordered != plan.version and self._step % _ORDER_STEPS == 0:
             fixed = sum(held.asked for held in robot.member.robot.holdings.values())
             shorten(plan, robot.ground.routes, fixed, robot.rank)
             robot.ordered = plan.version
 
-    def _move_and_look(self, crew: Crew) -> View:
-        robot, before = crew.robot, crew.vehicle.place
-        crew.vehicle.step(STEP_S)
+    def _reserve_s(self, robot: MissionRobot) -> float:
+        """The time that a rescuer keeps for those who are not found yet [s]."""
+        if not robot.kind.serves:
+            return 0.0
+        unfound = robot.knowledge.unfound()
+        afloat = robot.kind.domain == "water"
+        left = unfound["water"] if afloat else unfound["open"] + unfound["cover"]
+        each_s = self.config.rules.serve_s + _RESCUE_M / robot.kind.speed_m_s
+        fellows = [k for k in self._kinds.values() if k.domain == robot.kind.domain]
+        return left * each_s / len(fellows)
+
+    def _use_battery(self, robot: MissionRobot) -> None:
         if robot.kind.domain != "air" or robot.in_air:
             robot.battery.use(STEP_S)
         if robot.battery.left_s <= 0.0 and robot.in_air:
             self._die(robot.name, f"battery empty at {self.now_s:g} s")
+
+    def _move_and_look(self, crew: Crew) -> View:
+        robot, before = crew.robot, crew.vehicle.place
+        crew.vehicle.step(STEP_S)
+        self._use_battery(robot)
         if not crew.vehicle.looks:
             return NOTHING
         middle = tuple((a + b) / 2 for a, b in zip(before, crew.vehicle.place, strict=True))
@@ -174,22 +176,21 @@ class Mission:
         self.channel.crash(name)
 
     def _linked(self, source: str, destination: str, time_s: float) -> bool:
-        for name, begin_s, end_s in self.setup.silences:
-            if name in (source, destination) and begin_s <= time_s < end_s:
-                return False
+        if self._is_silent(source, time_s) or self._is_silent(destination, time_s):
+            return False
         if self.setup.links == "perfect":
             return True
-        links, one, other = self.config.links, self.crews[source], self.crews[destination]
-        if math.dist(one.vehicle.place, other.vehicle.place) <= links.range_m:
+        ends = (self.crews[source].vehicle.place, self.crews[destination].vehicle.place)
+        if math.dist(*ends) <= self.config.links.range_m:
             return True
-        return any(
-            relay.alive
-            and relay.robot.in_air
-            and not self._is_silent(relay.robot.name, time_s)
-            and math.dist(relay.vehicle.place, one.vehicle.place) <= links.relay_range_m
-            and math.dist(relay.vehicle.place, other.vehicle.place) <= links.relay_range_m
-            for relay in self.crews.values()
-        )
+        return any(self._may_relay(crew, ends, time_s) for crew in self.crews.values())
+
+    def _may_relay(self, relay: Crew, ends: Sequence[Place], time_s: float) -> bool:
+        """Whether a robot in the air passes on what is said between two places."""
+        if not relay.alive or not relay.robot.in_air or self._is_silent(relay.robot.name, time_s):
+            return False
+        range_m = self.config.links.relay_range_m
+        return all(math.dist(relay.vehicle.place, end) <= range_m for end in ends)
 
     def _is_silent(self, name: str, time_s: float) -> bool:
         return any(
@@ -201,13 +202,6 @@ class Mission:
         """How it stands now."""
         truth = self.truth
         found = [one.found_s for one in truth.people if one.found_s is not None]
-        lost = [f"{name}: {crew.cause}" for name, crew in self.crews.items() if not crew.alive]
-        lost += [f"{one.name}: not found" for one in truth.people if one.found_s is None]
-        lost += [
-            f"{one.name}: not served"
-            for one in truth.people
-            if one.found_s is not None and one.served_s is None
-        ]
         return Outcome(
             self.now_s,
             truth.is_complete(),
@@ -223,8 +217,40 @@ class Mission:
             self._contacts,
             self.channel.counts["sent"],
             tuple(self._curve),
-            tuple(lost),
+            (*self._lost_robots(), *self._lost_people()),
         )
+
+    def _lost_robots(self) -> list[str]:
+        return [f"{name}: {crew.cause}" for name, crew in self.crews.items() if not crew.alive]
+
+    def _lost_people(self) -> list[str]:
+        """Whom nobody has found, and who was found and not served."""
+        people = self.truth.people
+        lost = [f"{one.name}: not found" for one in people if one.found_s is None]
+        lost += [
+            f"{one.name}: not served"
+            for one in people
+            if one.found_s is not None and one.served_s is None
+        ]
+        return lost
+
+
+def _present(crews: Sequence[Crew]) -> dict[str, Presence]:
+    """The robots that are still alive, as others see them."""
+    return {
+        crew.robot.name: Presence(crew.robot.kind, crew.vehicle.place, crew.vehicle.speed_m_s)
+        for crew in crews
+        if crew.alive
+    }
+
+
+def _send_report(crew: Crew) -> None:
+    """The others get to know where a robot is, what it does, and what it knows."""
+    robot = crew.robot
+    report = robot.knowledge.report(
+        robot.now_s, robot.vehicle.place, robot.doing, robot.battery.charge
+    )
+    crew.port.send(report)
 
 
 def _contacts(crews: Sequence[Crew]) -> int:

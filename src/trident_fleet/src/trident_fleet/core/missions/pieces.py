@@ -160,15 +160,22 @@ class Lanes:
             return corners
         path: list[Place] = []
         at = start
-        for index, corner in enumerate(corners):
-            is_pass = index > 0 and abs(corner[1] - corners[index - 1][1]) < 1e-6
-            for goal in _between(corners[index - 1], corner) if is_pass else [corner]:
-                row, column = self._area.lattice.cell(*goal)
-                if self._routes.away_m[row, column] <= _ON_LANE_M:
-                    leg = self._routes.path(at, goal)
-                    path += leg
-                    at = leg[-1] if leg else at
+        for goal in _goals(corners):
+            row, column = self._area.lattice.cell(*goal)
+            if self._routes.away_m[row, column] <= _ON_LANE_M:
+                leg = self._routes.path(at, goal)
+                path += leg
+                at = leg[-1] if leg else at
         return path
+
+
+def _goals(corners: list[Place]) -> list[Place]:
+    """The corners, and close places along the passes between them."""
+    goals = corners[:1]
+    for before, corner in itertools.pairwise(corners):
+        is_pass = abs(corner[1] - before[1]) < 1e-6
+        goals += _between(before, corner) if is_pass else [corner]
+    return goals
 
 
 def _between(one: Place, other: Place) -> list[Place]:

@@ -145,26 +145,35 @@ def read_flown(path: Path) -> Flown:
         ) from None
 
 
-def _flown(content: dict[str, Any]) -> Flown:
-    setup, outcome = dict(content["setup"]), dict(content["outcome"])
+def _setup(content: dict[str, Any]) -> Setup:
+    setup = dict(content)
     for key in ("deaths", "silences"):
         setup[key] = tuple(tuple(one) for one in setup[key])
-    for key in ("find_s", "curve", "lost"):
-        outcome[key] = tuple(outcome[key])
+    return Setup(**setup)
+
+
+def _record(content: dict[str, Any]) -> Record:
     rows, columns = content["shape"]
     bits = np.frombuffer(base64.b64decode(content["covered"]), dtype=np.uint8)
     covered = np.unpackbits(bits, count=rows * columns).astype(bool).reshape(rows, columns)
-    record = Record(
+    return Record(
         {name: [(x, y) for x, y in track] for name, track in content["tracks"].items()},
         [Work(**one) for one in content["work"]],
         [(time_s, share) for time_s, share in content["coverage"]],
         covered,
     )
+
+
+def _flown(content: dict[str, Any]) -> Flown:
+    setup, outcome = _setup(content["setup"]), dict(content["outcome"])
+    for key in ("find_s", "curve", "lost"):
+        outcome[key] = tuple(outcome[key])
+    record = _record(content)
     people = [dict(one) for one in content["people"]]
     places = np.array([one.pop("place") for one in people], dtype=float).reshape(-1, 2)
     return Flown(
         Path(content["scene"]),
-        Setup(**setup),
+        setup,
         bool(content["whole"]),
         Outcome(**outcome),
         record,

@@ -126,12 +126,15 @@ class MissionRobot:
                 self.vehicle.halt()
             self._goal = None
             return True
-        moved = self._goal is None or math.dist(self._goal, place) > _REPLAN_M
-        if moved or not self.vehicle.path_left:
+        if self._is_new_goal(place) or not self.vehicle.path_left:
             self._goal = place
             here = self.vehicle.place
             self.vehicle.follow(shortened(here, self.ground.routes.path(here, place), stop_m))
         return False
+
+    def _is_new_goal(self, place: Place) -> bool:
+        """Whether a place is so far from the goal of the path that this is made again."""
+        return self._goal is None or math.dist(self._goal, place) > _REPLAN_M
 
     def follow(self, path: list[Place]) -> None:
         """Take a path; a goal before it is left."""

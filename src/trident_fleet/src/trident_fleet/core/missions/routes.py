@@ -47,15 +47,22 @@ class Routes:
         if self.straight or (self.reaches(goal) and self.is_clear(start, goal)):
             return [goal]
         begin, end = self._number(start), self._number(goal)
+        numbers = self._cells(begin, end)
+        if not numbers:
+            return []
+        last = goal if self.reaches(goal) else self._middle(end)
+        corners = _corners([*map(self._middle, numbers[1:-1]), last])
+        return self._pulled(start, corners)
+
+    def _cells(self, begin: int, end: int) -> list[int]:
+        """The cells of the shortest path with both its ends; empty: there is no path."""
         lengths, following = self._field(end)
         if not math.isfinite(float(lengths[begin])):
             return []
         numbers = [begin]
         while numbers[-1] != end:
             numbers.append(int(following[numbers[-1]]))
-        last = goal if self.reaches(goal) else self._middle(end)
-        corners = _corners([self._middle(number) for number in numbers[1:-1]] + [last])
-        return self._pulled(start, corners)
+        return numbers
 
     def is_clear(self, start: Place, goal: Place) -> bool:
         """Whether the robot gets along the straight line."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from trident_fleet.core.missions.routes import Routes
+from trident_fleet.core.tasks.messages import Point
 from trident_fleet.core.tasks.plan import Job, Plan
 
 _LEAST_M = 0.5
@@ -24,13 +25,8 @@ def shorten(plan: Plan, routes: Routes, fixed: int, rank: Callable[[Job], int]) 
     Returns:
         Whether it has changed.
     """
-    before, jobs = list(plan.jobs), plan.jobs[:fixed]
-    for number in sorted({rank(job) for job in before[fixed:]}):
-        group = [job for job in before[fixed:] if rank(job) == number]
-        start = jobs[-1].task.place if jobs else plan.place
-        places = [start, *(job.task.place for job in group)]
-        lengths = [[routes(one, other) for other in places] for one in places]
-        jobs += [group[index] for index in short_order(lengths, 0)]
+    before = list(plan.jobs)
+    jobs = _shortened(plan, routes, fixed, rank)
     if jobs == before:
         return False
     for job in before:
@@ -38,6 +34,23 @@ def shorten(plan: Plan, routes: Routes, fixed: int, rank: Callable[[Job], int]) 
     for job in jobs:
         plan.insert(job, len(plan.jobs))
     return True
+
+
+def _shortened(plan: Plan, routes: Routes, fixed: int, rank: Callable[[Job], int]) -> list[Job]:
+    """The tasks of a plan, in a short order among those of one rank."""
+    jobs, rest = plan.jobs[:fixed], plan.jobs[fixed:]
+    for number in sorted({rank(job) for job in rest}):
+        group = [job for job in rest if rank(job) == number]
+        start = jobs[-1].task.place if jobs else plan.place
+        jobs += _short_tour(start, group, routes)
+    return jobs
+
+
+def _short_tour(start: Point, group: Sequence[Job], routes: Routes) -> list[Job]:
+    """The tasks of a group in a short order from a place on."""
+    places = [start, *(job.task.place for job in group)]
+    lengths = [[routes(one, other) for other in places] for one in places]
+    return [group[index] for index in short_order(lengths, 0)]
 
 
 def short_order(lengths: Sequence[Sequence[float]], fixed: int) -> list[int]:

@@ -78,16 +78,25 @@ def read_tree(path: Path) -> TreePlan:
     return plan
 
 
-def _read(section: Section, subtrees: dict[str, Section], within: tuple[str, ...]) -> TreePlan:
+def _kind(section: Section) -> str:
     names = section.names()
     if len(names) != 1:
         raise section.error_here(f"{len(names)} keys; legal: one, the kind of the node")
-    kind = names[0]
+    return names[0]
+
+
+def _children(section: Section, kind: str) -> list[Section]:
+    parts = section.sections(kind)
+    if not parts:
+        raise section.error(kind, "no children; legal: one or more")
+    return parts
+
+
+def _read(section: Section, subtrees: dict[str, Section], within: tuple[str, ...]) -> TreePlan:
+    kind = _kind(section)
     if kind in _COMPOSITES:
-        parts = section.sections(kind)
-        if not parts:
-            raise section.error(kind, "no children; legal: one or more")
-        return TreePlan(kind, tuple(_read(part, subtrees, within) for part in parts))
+        children = _children(section, kind)
+        return TreePlan(kind, tuple(_read(part, subtrees, within) for part in children))
     if kind == "subtree":
         name = section.choice(kind, sorted(subtrees))
         if name in within:

@@ -47,6 +47,14 @@ class PersonState:
         self._near_s[robot, what] = stayed
         return stayed
 
+    def confirm(self, now_s: float) -> None:
+        """A robot has stood nearby long enough; only the first time counts."""
+        self.confirmed_s = now_s if self.confirmed_s is None else self.confirmed_s
+
+    def serve(self, now_s: float) -> None:
+        """A rescuer has stood with them long enough; only the first time counts."""
+        self.served_s = now_s if self.served_s is None else self.served_s
+
 
 @dataclass(frozen=True)
 class Presence:
@@ -55,6 +63,16 @@ class Presence:
     kind: Kind
     place: Place
     speed_m_s: float
+
+    @property
+    def stands(self) -> bool:
+        """Whether it stands, or keeps to somebody who drifts."""
+        return self.speed_m_s <= _STANDS_M_S
+
+    def rescues(self, person: PersonState, away_m: float, within_m: float) -> bool:
+        """Whether it may serve a person, and is near enough."""
+        is_rescuer = self.kind.serves and self.kind.domain == person.domain
+        return is_rescuer and away_m <= within_m
 
 
 class Truth:
@@ -126,30 +144,31 @@ class Truth:
             if not len(self.places):
                 return
             away = np.hypot(self.places[:, 0] - robot.place[0], self.places[:, 1] - robot.place[1])
-            stands = robot.speed_m_s <= _STANDS_M_S
             for index in np.flatnonzero(away <= 2.0 * rules.confirm_m):
-                self._tend_one(index, name, robot, views[name], away[index], stands, seconds)
+                sees = self._is_in_view(index, views[name])
+                self._tend_one(self.people[index], name, robot, sees, away[index], seconds)
 
     def _tend_one(
         self,
-        index: int,
+        person: PersonState,
         name: str,
         robot: Presence,
-        view: View,
+        sees: bool,
         away_m: float,
-        stands: bool,
         seconds: float,
     ) -> None:
-        person, rules = self.people[index], self.config.rules
+        rules = self.config.rules
+        stands_by = robot.stands and person.found_s is not None
+        confirms = sees and away_m <= rules.confirm_m
+        if person.stay(name, "confirm", stands_by and confirms, seconds) >= rules.confirm_s:
+            person.confirm(self.now_s)
+        serves = robot.rescues(person, away_m, rules.serve_m)
+        if person.stay(name, "serve", stands_by and serves, seconds) >= rules.serve_s:
+            person.serve(self.now_s)
+
+    def _is_in_view(self, index: int, view: View) -> bool:
         row, column = self.scene.area.lattice.cell(*self.places[index])
-        sees = bool(((view.row == row) & (view.column == column)).any())
-        confirms = stands and sees and away_m <= rules.confirm_m and person.found_s is not None
-        if person.stay(name, "confirm", confirms, seconds) >= rules.confirm_s:
-            person.confirmed_s = self.now_s if person.confirmed_s is None else person.confirmed_s
-        rescues = robot.kind.serves and robot.kind.domain == person.domain
-        serves = rescues and stands and away_m <= rules.serve_m and person.found_s is not None
-        if person.stay(name, "serve", serves, seconds) >= rules.serve_s:
-            person.served_s = self.now_s if person.served_s is None else person.served_s
+        return bool(((view.row == row) & (view.column == column)).any())
 
     def sectors_covered(self) -> int:
         """How many sectors are covered well enough to count."""

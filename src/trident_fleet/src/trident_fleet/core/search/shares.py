@@ -104,21 +104,24 @@ def _check(robots: Sequence[Searcher], tolerance: float) -> None:
         raise SearchError("shares: there is no robot, legal: one or more")
     if not 0.0 < tolerance < 1.0:
         raise SearchError(f"shares: tolerance is {tolerance}, legal: 0 ... 1")
-    shape = robots[0].seconds.shape
     for robot in robots:
-        if robot.seconds.shape != shape:
-            raise SearchError(
-                f"shares: seconds of {robot.name} have shape {robot.seconds.shape}, legal: {shape}"
-            )
-        row, column = robot.start
-        if not (0 <= row < shape[0] and 0 <= column < shape[1]):
-            raise SearchError(f"shares: start of {robot.name} is {robot.start}, legal: on the grid")
-        if not math.isfinite(robot.seconds[row, column]):
-            raise SearchError(
-                f"shares: start of {robot.name} is {robot.start}, legal: a cell that it gets to"
-            )
-        if not (robot.seconds > 0.0).all():
-            raise SearchError(f"shares: seconds of {robot.name}, legal: all above 0")
+        _check_searcher(robot, robots[0].seconds.shape)
+
+
+def _check_searcher(robot: Searcher, shape: tuple[int, ...]) -> None:
+    if robot.seconds.shape != shape:
+        raise SearchError(
+            f"shares: seconds of {robot.name} have shape {robot.seconds.shape}, legal: {shape}"
+        )
+    row, column = robot.start
+    if not (0 <= row < shape[0] and 0 <= column < shape[1]):
+        raise SearchError(f"shares: start of {robot.name} is {robot.start}, legal: on the grid")
+    if not math.isfinite(robot.seconds[row, column]):
+        raise SearchError(
+            f"shares: start of {robot.name} is {robot.start}, legal: a cell that it gets to"
+        )
+    if not (robot.seconds > 0.0).all():
+        raise SearchError(f"shares: seconds of {robot.name}, legal: all above 0")
 
 
 @dataclass(frozen=True)
@@ -235,14 +238,18 @@ class _Exchange:
             order = np.argsort(self._finish_s)
             if 1.0 - self._finish_s[order[0]] / self._finish_s[order[-1]] <= tolerance:
                 break
-            if not any(
-                self._give(int(late), int(early))
-                for late in order[::-1]
-                for early in order
-                if self._finish_s[early] < self._finish_s[late]
-            ):
+            if not self._exchange(order):
                 break
         return Shares(self._owner, self._problem.finish(self._owner))
+
+    def _exchange(self, order: Index) -> bool:
+        """Give one piece from a late robot to an earlier one, if that helps any two of them."""
+        return any(
+            self._give(int(late), int(early))
+            for late in order[::-1]
+            for early in order
+            if self._finish_s[early] < self._finish_s[late]
+        )
 
     def _give(self, late: int, early: int) -> bool:
         """One cell from a robot to another one that is done before it, if there is such a cell."""

@@ -37,15 +37,20 @@ class Fence:
 
     def validate(self) -> None:
         """Raise FormationError if it is no polygon, or has no height."""
-        shape = self.corners.shape
-        if len(shape) != 2 or shape[1] != 2 or shape[0] < 3 or not np.isfinite(self.corners).all():
-            raise FormationError(f"fence: {self.corners.tolist()}; legal: {_LEGAL}")
-        if abs(self._doubled_area()) < 2.0 * _SMALLEST_M2 or self._crosses_itself():
+        if not self._is_polygon():
             raise FormationError(f"fence: {self.corners.tolist()}; legal: {_LEGAL}")
         if not math.isfinite(self.highest_m - self.lowest_m) or self.highest_m <= self.lowest_m:
             raise FormationError(
                 f"highest: {self.highest_m:g} m; legal: above lowest, {self.lowest_m:g} m"
             )
+
+    def _is_polygon(self) -> bool:
+        """Whether there are three finite corners or more, around an area, with no side crossed."""
+        shape = self.corners.shape
+        if len(shape) != 2 or shape[1] != 2 or shape[0] < 3 or not np.isfinite(self.corners).all():
+            return False
+        too_small = abs(self._doubled_area()) < 2.0 * _SMALLEST_M2
+        return not too_small and not self._crosses_itself()
 
     def _doubled_area(self) -> float:
         x, y = self.corners.T

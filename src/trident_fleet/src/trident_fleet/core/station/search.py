@@ -52,6 +52,16 @@ class Search:
             for name, place in others.items()
         }
 
+    def is_about(self, known: dict[str, Place]) -> bool:
+        """Whether these are the robots of the search, and none has moved far since."""
+        moved = [
+            float(np.linalg.norm(known[name].position - place.position))
+            for name, place in self.others.items()
+            if name in known
+        ]
+        has_moved = max(moved, default=0.0) > self._config.search.moved_m
+        return not has_moved and set(known) == set(self.others)
+
     def add(self, visits: Visits) -> None:
         """Take the newest measurement of each link."""
         for name, field in self._fields.items():

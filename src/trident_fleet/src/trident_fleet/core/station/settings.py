@@ -165,15 +165,20 @@ def _numbers(name: str, given: Any, shape: tuple[int, ...], legal: str) -> Array
 def _topics(
     params: Params, others: list[str], places: dict[str, Array], vehicle: Vehicle, topic: str
 ) -> dict[str, str]:
-    given = _map(params, "poses", others)
-    for name, value in given.items():
-        if not isinstance(value, str) or not value:
-            raise FormationError(f"poses/{name}: {value!r}; legal: the name of a topic")
+    given = _given_topics(params, others)
     return {
         name: _below(vehicle.prefix, given.get(name, f"from/{name}/{topic}"))
         for name in others
         if name in given or name not in places
     }
+
+
+def _given_topics(params: Params, others: list[str]) -> dict[str, str]:
+    given = _map(params, "poses", others)
+    for name, value in given.items():
+        if not isinstance(value, str) or not value:
+            raise FormationError(f"poses/{name}: {value!r}; legal: the name of a topic")
+    return given
 
 
 def _corners(params: Params) -> Array:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -49,6 +50,10 @@ class Heard:
     others: dict[str, Place] = field(default_factory=dict)
     battery: float | None = None
 
+    def known(self, names: list[str]) -> dict[str, Place]:
+        """Where robots are, of those that have said it."""
+        return {name: self.others[name] for name in names if name in self.others}
+
 
 @dataclass(frozen=True)
 class Visit:
@@ -66,6 +71,10 @@ class Visit:
     def position(self) -> Array:
         """Of the UAV [m, world]."""
         return self.heard.position
+
+    def away_m(self, others: list[Visit]) -> float:
+        """Distance from the nearest of other visits [m]; infinite without any."""
+        return min((math.dist(self.position, other.position) for other in others), default=math.inf)
 
 
 def _is_same(one: Measurement, other: Measurement) -> bool:
@@ -148,31 +157,38 @@ class Visits:
             count: of the places, at most.
             apart_m: from each other [m].
         """
-        visits = [(heard, self.worst_db(heard)) for heard in self._all]
-        known = [(heard, worst_db) for heard, worst_db in visits if worst_db is not None]
-        if not known:
-            return []
-        is_alike = self._alike([heard for heard, _ in known], others, near_m)
-        worst = np.where(is_alike, [worst_db for _, worst_db in known], -np.inf)
         chosen: list[Visit] = []
-        for index in np.argsort(-worst, kind="stable"):
-            heard, worst_db = known[index]
-            away = [math.dist(heard.position, other.position) for other in chosen]
-            if len(chosen) == count or not is_alike[index]:
+        for visit in self._ranked(others, near_m):
+            if len(chosen) == count:
                 break
-            if min(away, default=math.inf) >= apart_m:
-                chosen.append(Visit(heard, worst_db))
+            if visit.away_m(chosen) >= apart_m:
+                chosen.append(visit)
         return chosen
 
+    def _ranked(self, others: dict[str, Place], near_m: float) -> Iterator[Visit]:
+        """The visits when all robots were near where they are now, best first."""
+        visits = self._visits()
+        if visits:
+            is_alike = self._alike(visits, others, near_m)
+            worst = np.where(is_alike, [visit.worst_db for visit in visits], -np.inf)
+            order = np.argsort(-worst, kind="stable")
+            yield from (visits[index] for index in order if is_alike[index])
+
+    def _visits(self) -> list[Visit]:
+        """Where the status had all links asked for."""
+        found = [(heard, self.worst_db(heard)) for heard in self._all]
+        return [Visit(heard, worst_db) for heard, worst_db in found if worst_db is not None]
+
     def _alike(
-        self, visits: list[Heard], others: dict[str, Place], near_m: float
+        self, visits: list[Visit], others: dict[str, Place], near_m: float
     ) -> npt.NDArray[np.bool_]:
         """Whether all robots were near where they are now, by visit."""
         nowhere = np.full(3, np.inf)
         result = np.ones(len(visits), dtype=bool)
+        heard = [visit.heard for visit in visits]
         for name in self._links:
             if name in others:
-                then = [h.others[name].position if name in h.others else nowhere for h in visits]
+                then = [h.others[name].position if name in h.others else nowhere for h in heard]
                 away = np.array(then) - others[name].position
                 result &= np.linalg.norm(away, axis=1) <= near_m
         return result

@@ -13,7 +13,7 @@ from trident_fleet.core.tasks.intake import check_tasks
 from trident_fleet.core.tasks.messages import Point, TaskAnnounce
 from trident_fleet.core.tasks.methods.base import Method, Offer, by_cost
 from trident_fleet.core.tasks.methods.improved import Improved
-from trident_fleet.core.tasks.plan import Job, Objective, Plan, Travel, straight_line
+from trident_fleet.core.tasks.plan import Job, Objective, Plan, Timing, Travel, straight_line
 
 
 @dataclass(frozen=True)
@@ -123,14 +123,25 @@ def _take(
 
 
 def _result(plans: dict[str, Plan], waiting: Sequence[Job], messages: int) -> Allocation:
-    timings = [plan.timing() for plan in plans.values()]
-    done = [timing for timing in timings if timing is not None]
-    assert len(done) == len(plans)
+    done = _timings(plans)
     return Allocation(
         {name: [job.task_id for job in plan.jobs] for name, plan in plans.items()},
         sum(timing.length_m for timing in done),
         max((timing.finish_s for timing in done), default=0.0),
-        sum({job.task_id: job.task.value for plan in plans.values() for job in plan.jobs}.values()),
+        _value(plans),
         messages,
         [job.task_id for job in waiting],
     )
+
+
+def _timings(plans: dict[str, Plan]) -> list[Timing]:
+    timings = [plan.timing() for plan in plans.values()]
+    done = [timing for timing in timings if timing is not None]
+    assert len(done) == len(plans)
+    return done
+
+
+def _value(plans: dict[str, Plan]) -> float:
+    """Of all tasks of the routes; those for several robots count once."""
+    jobs = (job for plan in plans.values() for job in plan.jobs)
+    return sum({job.task_id: job.task.value for job in jobs}.values())

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence, Set
 from dataclasses import dataclass, field
 
@@ -30,6 +31,10 @@ class Auction:
     decide_s: float
     again_s: float
     offers: dict[str, Offer] = field(default_factory=dict)
+
+
+def _robots_of(won: dict[str, list[Offer]]) -> set[str]:
+    return {offer.robot for offers in won.values() for offer in offers}
 
 
 class Auctions:
@@ -102,34 +107,34 @@ class Auctions:
             now_s: [s].
             awaited: robots that should answer before a decision, where they can.
         """
-        missing = {
-            name: self._unanswered(auction, awaited, now_s)
-            for name, auction in self.running.items()
-        }
-        due = {
-            name: auction
-            for name, auction in self.running.items()
-            if now_s >= auction.decide_s or not missing[name]
-        }
-        valid = {name: self._valid(auction, now_s) for name, auction in due.items()}
-        won: dict[str, list[Offer]] = {}
-        for name, auction in due.items():
-            needed = auction.job.task.robots_needed
-            if needed > 1 and len(valid[name]) >= needed:
-                won[name] = sorted(valid[name], key=by_cost)[:needed]
-        taken = {offer.robot for offers in won.values() for offer in offers}
-        alone = [
-            offer
-            for name, offers in valid.items()
-            if due[name].job.task.robots_needed == 1
-            for offer in offers
-            if offer.robot not in taken
-        ]
-        for offer in self.method.winners(alone):
-            won[offer.task_id] = [offer]
-        for offer in (offer for offers in won.values() for offer in offers):
+        due = self._due(now_s, awaited)
+        won = self._winners([(auction, self._valid(auction, now_s)) for auction in due])
+        for offer in itertools.chain.from_iterable(won.values()):
             self._used[offer.robot] = (offer.version, now_s)
         return [(self.running.pop(name), offers) for name, offers in won.items()]
+
+    def _due(self, now_s: float, awaited: Set[str]) -> list[Auction]:
+        """The auctions whose time is up, or in which nobody has to answer any more."""
+        return [
+            auction
+            for auction in self.running.values()
+            if now_s >= auction.decide_s or not self._unanswered(auction, awaited, now_s)
+        ]
+
+    def _winners(self, due: Sequence[tuple[Auction, Sequence[Offer]]]) -> dict[str, list[Offer]]:
+        """Who wins, by task: those for several robots first, then by the method those for one."""
+        won: dict[str, list[Offer]] = {}
+        single: list[Offer] = []
+        for auction, offers in due:
+            needed = auction.job.task.robots_needed
+            if needed == 1:
+                single += offers
+            elif len(offers) >= needed:
+                won[auction.job.task_id] = sorted(offers, key=by_cost)[:needed]
+        taken = _robots_of(won)
+        for offer in self.method.winners([one for one in single if one.robot not in taken]):
+            won[offer.task_id] = [offer]
+        return won
 
     def unsold(self, now_s: float) -> list[Job]:
         """The auctions that end now without a winner."""

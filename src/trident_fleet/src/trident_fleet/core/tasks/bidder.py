@@ -50,19 +50,26 @@ class Bidder:
         if self._version == self.plan.version:
             return []
         self._version = self.plan.version
-        open_jobs = [
-            job
-            for job in self._open.values()
-            if self.guards.in_time(now_s, job.task.bids_until_s)
+        open_jobs = [job for job in self._open.values() if self._may_bid(job, now_s)]
+        self._open = {job.task_id: job for job in open_jobs}
+        offers = self._offers(open_jobs, fixed)
+        return self._send_bids(offers, now_s) if offers else self._send_no_bid(open_jobs[:1], now_s)
+
+    def _offers(self, jobs: list[Job], fixed: int) -> list[Offer]:
+        """What the robot would do some of these tasks for; nothing if it has enough to do."""
+        is_busy = self.method.one_each and bool(self.plan.jobs)
+        return [] if is_busy else self.method.bids(self.plan, jobs, fixed)
+
+    def _may_bid(self, job: Job, now_s: float) -> bool:
+        """Whether a bid is in time for a task that the robot has not, and that is not done."""
+        return (
+            self.guards.in_time(now_s, job.task.bids_until_s)
             and not self.plan.has(job.task_id)
             and job.task_id not in self.follower.book.done()
-        ]
-        self._open = {job.task_id: job for job in open_jobs}
-        busy = self.method.one_each and bool(self.plan.jobs)
-        offers = [] if busy else self.method.bids(self.plan, open_jobs, fixed)
-        if not offers:
-            return [Sent(self._no_bid(job.task, now_s), job.task.manager) for job in open_jobs[:1]]
-        return self._send_bids(offers, now_s)
+        )
+
+    def _send_no_bid(self, jobs: list[Job], now_s: float) -> list[Sent]:
+        return [Sent(self._no_bid(job.task, now_s), job.task.manager) for job in jobs]
 
     def _no_bid(self, task: TaskAnnounce, now_s: float) -> TaskBid:
         """The answer of a robot that has nothing to bid."""
@@ -100,14 +107,19 @@ class Bidder:
         except TaskError as error:
             self.follower.problem(str(error))
             return []
-        known = self._bids.get((task.task_id, task.round))
-        if known is not None and known[0].version == self.plan.version:
-            return [Sent(known[0], task.manager)]
+        known = self._bid_by_this_plan(task)
+        if known is not None:
+            return [Sent(known, task.manager)]
         if self._knows_newer(task.task_id, task.round) or not self.guards.can(self.plan.lacks(job)):
             return []
         self._open[task.task_id] = job
         self._version = None
         return []
+
+    def _bid_by_this_plan(self, task: TaskAnnounce) -> TaskBid | None:
+        """What the robot has bid for a round of a task by the plan that it still has."""
+        known = self._bids.get((task.task_id, task.round))
+        return known[0] if known is not None and known[0].version == self.plan.version else None
 
     def _knows_newer(self, task_id: str, auction: int) -> bool:
         record = self.follower.book.records.get(task_id)

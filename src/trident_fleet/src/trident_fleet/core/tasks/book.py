@@ -54,10 +54,21 @@ class Record:
         """Whether it waits for somebody."""
         return not (self.holders or self.given_up or self.done_by)
 
+    @property
+    def over(self) -> bool:
+        """Whether it is done, or nobody will do it."""
+        return bool(self.done_by) or self.given_up
+
     def reopen(self, epoch: int) -> None:
         """Nobody has it any more: what is still said about the old round does not count."""
         self.round = self.next_round(epoch)
         self.holders, self.given_up = {}, False
+
+    def note_done(self, states: list[TaskState]) -> None:
+        """It is done if all of its robots have said so; who was first to do it stays known."""
+        done_by = tuple(state.robot_id for state in states if state.state is State.DONE)
+        if len(done_by) == len(states):
+            self.done_by = self.done_by or done_by
 
     def next_round(self, epoch: int) -> int:
         """A round newer than all that are known, of this epoch's manager."""
@@ -84,6 +95,14 @@ class Record:
         ]
 
 
+def by_task(states: Iterable[TaskState]) -> dict[str, list[TaskState]]:
+    """The rows of a table, those of one task together."""
+    together: dict[str, list[TaskState]] = {}
+    for state in states:
+        together.setdefault(state.task.task_id, []).append(state)
+    return together
+
+
 class Book:
     """The records of a member, by task."""
 
@@ -101,18 +120,13 @@ class Book:
 
     def join(self, states: Iterable[TaskState]) -> None:
         """What another member knows."""
-        tasks: dict[str, list[TaskState]] = {}
-        for state in states:
-            tasks.setdefault(state.task.task_id, []).append(state)
-        for same in tasks.values():
+        for same in by_task(states).values():
             self._join_task(same)
 
     def _join_task(self, states: list[TaskState]) -> None:
         first = states[0]
         record = self.enter(first.task)
-        done_by = tuple(state.robot_id for state in states if state.state is State.DONE)
-        if len(done_by) == len(states):
-            record.done_by = record.done_by or done_by
+        record.note_done(states)
         if record.done_by or (first.epoch, first.round) < record.version:
             return
         if (first.epoch, first.round) > record.version:

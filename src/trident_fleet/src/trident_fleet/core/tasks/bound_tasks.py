@@ -41,21 +41,18 @@ def give_bound(
     messages = 0
     for task in _in_order(tasks):
         job = Job.of(task)
-        ready_s = max((finished_s.get(name, 0.0) for name in task.after), default=0.0)
-        offers = (
-            [] if missing & set(task.after) else _offers(plans, _not_before(job, ready_s), method)
-        )
+        offers: list[Offer] = []
+        if not missing & set(task.after):
+            offers = _offers(plans, _not_before(job, _ready_s(task, finished_s)), method)
         messages += 1 + len(offers)
         chosen = offers[: task.robots_needed]
-        begin_s = max((offer.start_s for offer in chosen), default=0.0)
+        begin_s = _begin_s(chosen)
         together = _not_before(job, begin_s)
         if len(chosen) < task.robots_needed or not _all_fit(plans, chosen, together):
             left.append(job)
             missing.add(task.task_id)
             continue
-        for offer in chosen:
-            plan = plans[offer.robot]
-            plan.insert(together, len(plan.jobs))
+        _insert_last(plans, chosen, together)
         finished_s[task.task_id] = begin_s + task.duration_s
         messages += 2 * len(chosen)
     return messages
@@ -82,6 +79,22 @@ def _finishes(plans: dict[str, Plan]) -> dict[str, float]:
         for job, start_s in zip(plan.jobs, timing.starts_s, strict=True):
             finished_s[job.task_id] = start_s + job.task.duration_s
     return finished_s
+
+
+def _ready_s(task: TaskAnnounce, finished_s: dict[str, float]) -> float:
+    """When all that a task waits for is done [s]."""
+    return max((finished_s.get(name, 0.0) for name in task.after), default=0.0)
+
+
+def _begin_s(chosen: Sequence[Offer]) -> float:
+    """When the last one of the robots that do a task together is there [s]."""
+    return max((offer.start_s for offer in chosen), default=0.0)
+
+
+def _insert_last(plans: dict[str, Plan], chosen: Sequence[Offer], job: Job) -> None:
+    for offer in chosen:
+        plan = plans[offer.robot]
+        plan.insert(job, len(plan.jobs))
 
 
 def _not_before(job: Job, ready_s: float) -> Job:

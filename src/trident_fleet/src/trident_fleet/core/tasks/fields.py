@@ -55,12 +55,7 @@ class Requirements:
         Raises:
             TaskError: names field, value and legal range.
         """
-        try:
-            found = json.loads(text) if text else {}
-        except json.JSONDecodeError as error:
-            raise TaskError(f"{owner}: requirements are no JSON: {error}: {text!r}") from None
-        if not isinstance(found, dict):
-            raise TaskError(f"{owner}: requirements are {text!r}, legal: a JSON object")
+        found = _object_of(text, owner)
         legal = [item.name for item in fields(Requirements)]
         for name in found:
             if name not in legal:
@@ -70,17 +65,34 @@ class Requirements:
         return Requirements(**{name: _checked(owner, name, found[name]) for name in found})
 
 
+def _object_of(text: str, owner: str) -> dict[str, Any]:
+    """The object that a text is in JSON; empty: nothing."""
+    try:
+        found = json.loads(text) if text else {}
+    except json.JSONDecodeError as error:
+        raise TaskError(f"{owner}: requirements are no JSON: {error}: {text!r}") from None
+    if not isinstance(found, dict):
+        raise TaskError(f"{owner}: requirements are {text!r}, legal: a JSON object")
+    return found
+
+
 def _checked(owner: str, name: str, value: Any) -> Any:
     """A field of requirements as its type."""
-    if name in ("domains", "skills"):
-        words = value if isinstance(value, list) else [None]
-        if not all(isinstance(word, str) and word for word in words):
-            raise TaskError(f"{owner}: requirements.{name} is {value!r}, legal: a list of names")
-        if name == "domains" and not set(words) <= set(DOMAINS):
-            raise TaskError(
-                f"{owner}: requirements.domains is {value!r}, legal: some of {', '.join(DOMAINS)}"
-            )
-        return tuple(words)
+    check = _checked_names if name in ("domains", "skills") else _checked_number
+    return check(owner, name, value)
+
+
+def _checked_names(owner: str, name: str, value: Any) -> tuple[str, ...]:
+    if not isinstance(value, list) or not all(isinstance(one, str) and one for one in value):
+        raise TaskError(f"{owner}: requirements.{name} is {value!r}, legal: a list of names")
+    if name == "domains" and not set(value) <= set(DOMAINS):
+        raise TaskError(
+            f"{owner}: requirements.domains is {value!r}, legal: some of {', '.join(DOMAINS)}"
+        )
+    return tuple(value)
+
+
+def _checked_number(owner: str, name: str, value: Any) -> float:
     number = isinstance(value, int | float) and not isinstance(value, bool)
     if not number or not 0.0 <= value < math.inf:
         raise TaskError(f"{owner}: requirements.{name} is {value!r}, legal: finite, from 0")

@@ -31,22 +31,35 @@ def check_tasks(
     Raises:
         TaskError: names task, field, value and legal range.
     """
+    together = _together(new, known)
+    for task in new:
+        check_fields(task, len(robots))
+        _check_after(task, set(together))
+    _check_order(together)
+    said = (nobody_can(f"task {task.task_id!r}", Job.of(task).asked, robots) for task in new)
+    return [text for text in said if text is not None]
+
+
+def _together(
+    new: Sequence[TaskAnnounce], known: Mapping[str, TaskAnnounce]
+) -> dict[str, TaskAnnounce]:
+    """New tasks after those that are known, by their names, each of which is there once."""
     together = dict(known)
     for task in new:
         if task.task_id in together:
             raise TaskError(f"task {task.task_id!r}: task_id is there already, legal: a new one")
         together[task.task_id] = task
-    for task in new:
-        check_fields(task, len(robots))
-        for before in task.after:
-            if before not in together:
-                raise TaskError(
-                    f"task {task.task_id!r}: after is {before!r}, an unknown task, legal: "
-                    f"{', '.join(sorted(set(together) - {task.task_id})) or 'none'}"
-                )
-    _check_order(together)
-    said = [nobody_can(f"task {task.task_id!r}", Job.of(task).asked, robots) for task in new]
-    return [text for text in said if text is not None]
+    return together
+
+
+def _check_after(task: TaskAnnounce, known: set[str]) -> None:
+    """Refuse a task that waits for an unknown one."""
+    for before in task.after:
+        if before not in known:
+            raise TaskError(
+                f"task {task.task_id!r}: after is {before!r}, an unknown task, legal: "
+                f"{', '.join(sorted(known - {task.task_id})) or 'none'}"
+            )
 
 
 def is_same(one: TaskAnnounce, other: TaskAnnounce) -> bool:
@@ -70,20 +83,33 @@ def check_fields(task: TaskAnnounce, robots: int) -> None:
     owner = f"task {task.task_id!r}"
     if not task.task_id:
         raise TaskError("task: task_id is empty, legal: a name")
-    if len(task.place) != 3 or not all(math.isfinite(value) for value in task.place):
-        raise TaskError(f"{owner}: place is {task.place}, legal: three finite numbers")
-    for name in ("duration_s", "value"):
-        value = getattr(task, name)
-        if not 0.0 <= value < math.inf:
-            raise TaskError(f"{owner}: {name} is {value}, legal: finite, from 0")
-    if not task.deadline_s > 0.0:
-        raise TaskError(f"{owner}: deadline_s is {task.deadline_s}, legal: above 0")
+    _check_numbers(owner, task)
     if task.requirements:
         Requirements.from_json(task.requirements, owner)
     if not 1 <= task.robots_needed <= max(robots, 1):
         raise TaskError(
             f"{owner}: robots_needed is {task.robots_needed}, legal: 1 ... {max(robots, 1)}"
         )
+
+
+def _check_numbers(owner: str, task: TaskAnnounce) -> None:
+    """Refuse a place, a duration, a value or a deadline that cannot be."""
+    if len(task.place) != 3 or not all(math.isfinite(value) for value in task.place):
+        raise TaskError(f"{owner}: place is {task.place}, legal: three finite numbers")
+    problem = _negative(owner, task, ("duration_s", "value"))
+    if problem is not None:
+        raise TaskError(problem)
+    if not task.deadline_s > 0.0:
+        raise TaskError(f"{owner}: deadline_s is {task.deadline_s}, legal: above 0")
+
+
+def _negative(owner: str, message: TaskAnnounce | TaskBid, names: Sequence[str]) -> str | None:
+    """Which of the fields is not finite and from 0; None: they all are."""
+    for name in names:
+        value = getattr(message, name)
+        if not 0.0 <= value < math.inf:
+            return f"{owner}: {name} is {value}, legal: finite, from 0"
+    return None
 
 
 def _check_order(tasks: Mapping[str, TaskAnnounce]) -> None:
@@ -116,10 +142,4 @@ def refuse_bid(bid: TaskBid, source: str, robots: Mapping[str, Capabilities]) ->
     if bid.robot_id != source or bid.robot_id not in robots:
         legal = source if source in robots else ", ".join(robots)
         return f"{owner}: robot_id is {bid.robot_id!r}, legal: {legal}"
-    if not 0.0 <= bid.cost < math.inf:
-        return f"{owner}: cost is {bid.cost}, legal: finite, from 0"
-    for name in ("start_s", "energy"):
-        value = getattr(bid, name)
-        if not 0.0 <= value < math.inf:
-            return f"{owner}: {name} is {value}, legal: finite, from 0"
-    return None
+    return _negative(owner, bid, ("cost", "start_s", "energy"))

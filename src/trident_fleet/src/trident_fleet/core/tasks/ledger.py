@@ -5,10 +5,11 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterable
 
 from trident_fleet.core.tasks.book import Holder, Record
 from trident_fleet.core.tasks.follower import Follower
-from trident_fleet.core.tasks.messages import State, TaskProgress, epoch_of
+from trident_fleet.core.tasks.messages import NOBODY, State, TaskProgress, TaskState, epoch_of
 from trident_fleet.core.tasks.protocol import needs_permission
 
 
@@ -38,12 +39,17 @@ class Ledger:
             return
         if message.state is State.DONE:
             self._on_done(record, message)
-        elif not on_duty or not self.guards.same_round(message.round, record.round):
+        elif on_duty:
+            self._on_not_done(record, message)
+
+    def _on_not_done(self, record: Record, message: TaskProgress) -> None:
+        """A robot would begin, or has not done its task and will not."""
+        if not self.guards.same_round(message.round, record.round):
             return
-        elif message.state is State.ACTIVE:
-            self._asked.add((message.task_id, message.round, source))
+        if message.state is State.ACTIVE:
+            self._asked.add((message.task_id, message.round, message.robot_id))
         elif message.state in (State.FAILED, State.WITHDRAWN) and (
-            source in record.holders or record.given_up
+            message.robot_id in record.holders or record.given_up
         ):
             self._on_failure(record, message)
 
@@ -70,52 +76,86 @@ class Ledger:
 
     def end_leases(self, now_s: float) -> None:
         """Robots that were not heard in time have their tasks no longer."""
-        earliest_s = self.since_s + self.times.lease_s
         for record in self.follower.book.records.values():
-            if record.given_up and not record.done_by:
+            if record.done_by:
+                continue
+            if record.given_up:
                 earlier = "given up by an earlier manager"
                 self.reasons.setdefault(record.task.task_id, earlier)
-            if record.done_by or record.given_up:
                 continue
-            gone = [
-                name
-                for name, holder in record.holders.items()
-                if holder.state is not State.DONE
-                and self.guards.lease_over(
-                    now_s, max(holder.lease_until_s, earliest_s), self.times.guard_s
-                )
-            ]
-            if 0 < len(record.holders) < record.task.robots_needed and now_s >= earliest_s:
-                gone.append("a robot that only an earlier manager knew")
-            if not gone:
-                continue
-            inherited = epoch_of(record.round) < self.follower.epoch
-            begun = inherited or any(
-                holder.state is not State.AWARDED for holder in record.holders.values()
+            gone = self._gone(record, now_s)
+            if gone:
+                self._take_from(record, gone)
+
+    def _gone(self, record: Record, now_s: float) -> list[str]:
+        """The robots whose leases of a task have ended, in words."""
+        earliest_s = self.since_s + self.times.lease_s
+        gone = [
+            name
+            for name, holder in record.holders.items()
+            if holder.state is not State.DONE
+            and self.guards.lease_over(
+                now_s, max(holder.lease_until_s, earliest_s), self.times.guard_s
             )
-            if self.guards.may_repeat(record.task, begun):
-                record.reopen(self.follower.epoch)
-            else:
-                self.give_up(
-                    record,
-                    f"{', '.join(gone)} vanished, may have done it, and it must not be done twice",
-                )
+        ]
+        if 0 < len(record.holders) < record.task.robots_needed and now_s >= earliest_s:
+            gone.append("a robot that only an earlier manager knew")
+        return gone
+
+    def _take_from(self, record: Record, gone: list[str]) -> None:
+        """Open the task again if that is safe, else give it up."""
+        inherited = epoch_of(record.round) < self.follower.epoch
+        begun = inherited or any(
+            holder.state is not State.AWARDED for holder in record.holders.values()
+        )
+        if self.guards.may_repeat(record.task, begun):
+            record.reopen(self.follower.epoch)
+        else:
+            self.give_up(
+                record,
+                f"{', '.join(gone)} vanished, may have done it, and it must not be done twice",
+            )
+
+    def is_newest(self, state: TaskState) -> bool:
+        """Whether a row of a table says who has a task by its newest round."""
+        record = self.follower.book.records[state.task.task_id]
+        return state.robot_id != NOBODY and self.guards.same_round(state.round, record.round)
+
+    def note_knowledge(self, source: str, states: Iterable[TaskState]) -> None:
+        """A member that follows this manager knows who has tasks."""
+        for state in states:
+            if state.epoch == self.follower.epoch:
+                self.known_by[state.task.task_id, state.round].add(source)
+
+    def renew_lease(self, state: TaskState, now_s: float) -> None:
+        """A robot claims a task: it has a lease from now on, if it is one of the holders."""
+        holder = self.follower.book.records[state.task.task_id].holders.get(state.robot_id)
+        if holder is not None and state.lease_until_s > 0.0:
+            holder.lease_until_s = max(holder.lease_until_s, now_s + self.times.lease_s)
 
     def permit(self) -> None:
         """Let robots begin that have asked, where that is safe."""
         for task_id, record in self.follower.book.records.items():
-            if record.done_by or record.given_up or not record.holders:
-                continue
-            asked = [
-                name
-                for name, holder in record.holders.items()
-                if holder.state is State.DONE or (task_id, record.round, name) in self._asked
-            ]
-            known_by = self.known_by[task_id, record.round] | {self.follower.name}
-            safe = not needs_permission(record.task) or self.quorum(known_by)
-            if safe and self.guards.all_there(len(asked), record.task.robots_needed):
+            if self._may_begin(task_id, record):
                 for holder in record.holders.values():
                     holder.state = State(max(holder.state, State.ACTIVE))
+
+    def _may_begin(self, task_id: str, record: Record) -> bool:
+        """Whether all robots of a task have asked, and enough members know that they have it."""
+        if record.over or not record.holders:
+            return False
+        known_by = self.known_by[task_id, record.round] | {self.follower.name}
+        safe = not needs_permission(record.task) or self.quorum(known_by)
+        asked = self._askers(task_id, record)
+        return safe and self.guards.all_there(len(asked), record.task.robots_needed)
+
+    def _askers(self, task_id: str, record: Record) -> list[str]:
+        """The robots of a task that would begin, or have done their part."""
+        return [
+            name
+            for name, holder in record.holders.items()
+            if holder.state is State.DONE or (task_id, record.round, name) in self._asked
+        ]
 
     def quorum(self, names: set[str]) -> bool:
         """Whether these are more than half of the members."""

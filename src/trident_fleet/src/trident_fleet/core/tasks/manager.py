@@ -90,7 +90,7 @@ class Manager:
         record = self.follower.book.records.get(task_id)
         if record is None:
             raise TaskError(f"task {task_id!r}: unknown, legal: {self._names()}")
-        if not record.done_by and not record.given_up:
+        if not record.over:
             record.reopen(self.follower.epoch)
             self.ledger.give_up(record, "canceled")
 
@@ -114,11 +114,16 @@ class Manager:
             self._on_cancel(message)
         elif isinstance(message, TaskProgress):
             self.ledger.on_progress(source, message, self.on_duty)
-        elif isinstance(message, TaskBid) and self.on_duty:
-            self._on_bid(source, message, now_s)
-        elif isinstance(message, TaskConfirm) and self.on_duty and not message.accept:
-            self._on_refusal(source, message)
+        elif self.on_duty:
+            self._on_answer(source, message, now_s)
         return []
+
+    def _on_answer(self, source: str, message: TaskMessage, now_s: float) -> None:
+        """A robot bids, or says whether it takes what it has won."""
+        if isinstance(message, TaskBid):
+            self._on_bid(source, message, now_s)
+        elif isinstance(message, TaskConfirm) and not message.accept:
+            self._on_refusal(source, message)
 
     def on_time(self, now_s: float) -> list[Sent]:
         """What is due by now."""
@@ -145,35 +150,32 @@ class Manager:
     def _on_table(self, source: str, table: TaskTable, now_s: float) -> list[Sent]:
         follower = self.follower
         follower.hear(source, table, now_s)
-        if self.on_duty and (
-            follower.manager != self.name or self.guards.is_newer(table.epoch, follower.epoch)
-        ):
-            self.on_duty, self.ledger.since_s = False, now_s
-            if follower.manager == self.name:
-                follower.manager = NOBODY
-        if self.on_duty and source != self.name and table.manager in (self.name, NOBODY):
+        if not self.on_duty:
+            return []
+        if follower.manager != self.name or self.guards.is_newer(table.epoch, follower.epoch):
+            self._stand_by(now_s)
+        elif source != self.name and table.manager in (self.name, NOBODY):
             self.hear_echo(source, table, now_s)
         return []
+
+    def _stand_by(self, now_s: float) -> None:
+        """Another member manages from now on."""
+        self.on_duty, self.ledger.since_s = False, now_s
+        if self.follower.manager == self.name:
+            self.follower.manager = NOBODY
 
     def hear_echo(self, source: str, table: TaskTable, now_s: float) -> None:
         """What a member that follows this manager knows and has."""
         if not self.guards.is_current(table.epoch, self.follower.epoch):
             return
-        vouches = table.manager == self.name
-        if vouches:
+        self.follower.book.join(table.tasks)
+        states = [state for state in table.tasks if self.ledger.is_newest(state)]
+        if table.manager == self.name:
             self._followers.add(source)
-        book = self.follower.book
-        book.join(table.tasks)
-        for state in table.tasks:
-            record = book.records[state.task.task_id]
-            if state.robot_id == NOBODY or not self.guards.same_round(state.round, record.round):
-                continue
-            if vouches and state.epoch == self.follower.epoch:
-                self.ledger.known_by[state.task.task_id, state.round].add(source)
-            holder = record.holders.get(source)
-            if state.robot_id == source and holder is not None and state.lease_until_s > 0.0:
-                renewed_s = max(holder.lease_until_s, now_s + self.times.lease_s)
-                holder.lease_until_s = renewed_s
+            self.ledger.note_knowledge(source, states)
+        for state in states:
+            if state.robot_id == source:
+                self.ledger.renew_lease(state, now_s)
 
     def _on_cancel(self, message: TaskProgress) -> None:
         """A user does not want a task any more."""
@@ -206,26 +208,33 @@ class Manager:
 
     def _hold_auctions(self, now_s: float) -> list[Sent]:
         sent: list[Sent] = []
-        earliest_s = now_s - self.times.silence_s
-        awaited = {
-            name
-            for name in self.team.robots
-            if max(self._heard_s.get(name, 0.0), self.ledger.since_s) >= earliest_s
-        }
-        for auction, offers in self._auctions.decide(now_s, awaited):
+        for auction, offers in self._auctions.decide(now_s, self._awaited(now_s)):
             sent += self._award(auction.job, offers, now_s)
         for job in self._auctions.unsold(now_s):
             if self._waits_long(now_s) and self._auctions.fruitless[job.task_id] > 2:
                 self.ledger.reasons[job.task_id] = "nobody who is heard can do it"
-        waiting = self._waiting(now_s)
-        for job in self.method.offered(waiting):
+        announced = self._announce(now_s) + self._auctions.announcements_due(now_s)
+        return sent + [Sent(task) for task in announced]
+
+    def _awaited(self, now_s: float) -> set[str]:
+        """The robots that were heard lately, so that they should bid."""
+        earliest_s = now_s - self.times.silence_s
+        return {
+            name
+            for name in self.team.robots
+            if max(self._heard_s.get(name, 0.0), self.ledger.since_s) >= earliest_s
+        }
+
+    def _announce(self, now_s: float) -> list[TaskAnnounce]:
+        """Open auctions of what waits for somebody."""
+        opened = []
+        for job in self.method.offered(self._waiting(now_s)):
             if job.task_id not in self._auctions.running:
                 record = self.follower.book.records[job.task_id]
                 record.round = record.next_round(self.follower.epoch)
                 record.task = self._auctions.announce(job, record.round, now_s)
-                sent.append(Sent(record.task))
-        sent += [Sent(task) for task in self._auctions.announcements_due(now_s)]
-        return sent
+                opened.append(record.task)
+        return opened
 
     def _hold_sales(self, now_s: float) -> list[Sent]:
         """What robots would rather give to others changes hands, or stays with them."""

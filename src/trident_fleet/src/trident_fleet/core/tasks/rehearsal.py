@@ -110,11 +110,7 @@ class Rehearsal:
             return ["there is no manager"]
         reasons = member.manager.ledger.reasons
         records = member.follower.book.records
-        return [
-            name
-            for name, record in records.items()
-            if not (record.done_by or record.given_up or name in reasons)
-        ]
+        return [name for name, record in records.items() if not record.over and name not in reasons]
 
     def _member(self, name: str, restarted: bool) -> Member:
         plan = None

@@ -63,7 +63,7 @@ class Requests:
         """What the newest manager is not known to have heard."""
         shown, records = self.follower.shown, self.follower.book.records
         asked = [name for name in self._asked if name not in shown]
-        ended = {name for name, one in records.items() if one.given_up or one.done_by}
+        ended = {name for name, record in records.items() if record.over}
         return asked + sorted(self._canceled - ended)
 
     def on_message(self, source: str, message: TaskMessage, now_s: float) -> None:

@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from trident_fleet.core.tasks.bidder import Bidder
-from trident_fleet.core.tasks.book import Record
+from trident_fleet.core.tasks.book import Record, by_task
 from trident_fleet.core.tasks.follower import Follower
 from trident_fleet.core.tasks.messages import (
     NOBODY,
@@ -60,6 +60,12 @@ class Holding:
     begun: bool = False
     offers: int = 0
     offered_until_s: float = 0.0
+
+    @property
+    def may_be_offered(self) -> bool:
+        """Whether another robot may get it in a sale."""
+        is_alone = self.job.task.robots_needed == 1
+        return is_alone and self.offers < _MOST_OFFERS and not self.asked
 
 
 class Robot:
@@ -116,18 +122,16 @@ class Robot:
         self._drop_what_is_over(now_s)
         held = [self.holdings[job.task_id] for job in self.plan.jobs]
         begun = [one for one in held if one.begun]
-        if begun:
-            return begun[0]
+        return begun[0] if begun else self._next_of(held, now_s)
+
+    def _next_of(self, held: list[Holding], now_s: float) -> Holding | None:
+        """The first that it does alone, in the order of the route, else the oldest common one."""
         ready = [one for one in held if self._may_come_next(one) and now_s >= one.offered_until_s]
-        alone = [one for one in ready if one.job.task.robots_needed == 1]
-        common = sorted(
-            (one for one in ready if one.job.task.robots_needed > 1),
-            key=lambda one: (one.round, one.job.task_id),
-        )
-        chosen = (alone + common)[0] if ready else None
-        if chosen is not None and chosen.job.task.robots_needed == 1:
-            chosen.asked = True
-        return chosen
+        for one in ready:
+            if one.job.task.robots_needed == 1:
+                one.asked = True
+                return one
+        return min(ready, key=lambda one: (one.round, one.job.task_id), default=None)
 
     def begin(self, task_id: str, now_s: float) -> bool:
         """The robot is at the place of a task: whether it may begin, and then has begun."""
@@ -164,44 +168,60 @@ class Robot:
 
     def _take(self, task_id: str, auction: int, lease_until_s: float, now_s: float) -> str:
         """Take a task that the manager says is this robot's; returns why not."""
-        held, ended = self.holdings.get(task_id), self._ended.get(task_id)
+        held = self.holdings.get(task_id)
         if held is not None and held.round == auction:
             held.lease_until_s = max(held.lease_until_s, lease_until_s)
             return ""
+        return (
+            self._why_not_won(task_id, auction)
+            or self._why_too_late(task_id, auction, lease_until_s, now_s)
+            or self._hold(task_id, auction, lease_until_s)
+        )
+
+    def _why_not_won(self, task_id: str, auction: int) -> str:
+        """Why this robot cannot have won a round of a task; empty: it can."""
+        ended = self._ended.get(task_id)
         if ended is not None and ended.round >= auction:
             return f"{ended.state.name.lower()} before: {ended.reason}"
-        if held is not None:
+        if task_id in self.holdings:
             return "holds it by another round"
-        job = self._bidder.has_bid(task_id, auction)
-        if job is None:
-            return "has not bid in this round"
+        return "" if self._bidder.has_bid(task_id, auction) else "has not bid in this round"
+
+    def _why_too_late(self, task_id: str, auction: int, lease_until_s: float, now_s: float) -> str:
+        """Why a task that was won does not count any more; empty: it does."""
         record = self.follower.book.records.get(task_id)
         if record is not None and (record.round > auction or record.done_by):
             return "there is a newer round, or it is done"
-        if not self.guards.lease_holds(now_s, lease_until_s):
-            return "its lease has ended"
+        return "" if self.guards.lease_holds(now_s, lease_until_s) else "its lease has ended"
+
+    def _hold(self, task_id: str, auction: int, lease_until_s: float) -> str:
+        """Put a task that was won into the plan; returns why that is not possible."""
+        job = self._bidder.has_bid(task_id, auction)
+        assert job is not None
         insertion = self.method.place(self.plan, job, self._fixed())
         if insertion is None or not self.guards.can(self.plan.lacks(job)):
             return "does not fit the plan any more"
         self.plan.insert(job, insertion.index)
+        record = self.follower.book.records.get(task_id)
         seen = record.version if record is not None else (0, 0)
         self.holdings[task_id] = Holding(job, auction, lease_until_s, seen)
         self._bidder.won(task_id)
         return ""
 
     def _on_table(self, table: TaskTable, now_s: float) -> list[Sent]:
-        together: dict[str, list[TaskState]] = {}
-        for state in table.tasks:
-            together.setdefault(state.task.task_id, []).append(state)
-        for task_id, states in together.items():
-            mine = next((state for state in states if state.robot_id == self.name), None)
-            if mine is not None and mine.state < State.DONE:
-                self._take(task_id, mine.round, mine.lease_until_s, now_s)
+        for task_id, states in by_task(table.tasks).items():
+            self._take_own(states, now_s)
             held = self.holdings.get(task_id)
             if held is not None:
                 self._compare(held, states)
             self._bidder.forget_sold(task_id, states)
         return []
+
+    def _take_own(self, states: list[TaskState], now_s: float) -> None:
+        """Take a task that is this robot's by the manager's table."""
+        mine = next((state for state in states if state.robot_id == self.name), None)
+        if mine is not None and mine.state < State.DONE:
+            self._take(mine.task.task_id, mine.round, mine.lease_until_s, now_s)
 
     def _compare(self, held: Holding, states: list[TaskState]) -> None:
         """What the manager's table says about a task that this robot has."""
@@ -218,19 +238,11 @@ class Robot:
         if not self.method.resells or now_s < self._next_offer_s or not self.follower.manager:
             return []
         self._next_offer_s = now_s + hold_s(self.times)
-        prices = [
-            (self.plan.saving(job.task_id), job.task_id, self.holdings[job.task_id])
-            for job in self.plan.jobs[1:]
-            if self.plan.objective is Objective.SUM and job.task.robots_needed == 1
-        ]
-        prices = [
-            (price, task_id, held)
-            for price, task_id, held in prices
-            if held.offers < _MOST_OFFERS and not held.asked
-        ]
+        prices = self._prices()
         if not prices:
             return []
-        price, task_id, held = max(prices, key=lambda one: (-one[2].offers, *one[:2]))
+        task_id = max(prices, key=lambda one: (-self.holdings[one].offers, prices[one], one))
+        held, price = self.holdings[task_id], prices[task_id]
         held.offers += 1
         held.offered_until_s = now_s + hold_s(self.times)
         offer = TaskBid(
@@ -243,6 +255,17 @@ class Robot:
             version=self.plan.version,
         )
         return [Sent(offer, self.follower.manager)]
+
+    def _prices(self) -> dict[str, float]:
+        """What the robot would save without each task that may change hands [m]."""
+        if self.plan.objective is not Objective.SUM:
+            return {}
+        later = [self.holdings[job.task_id] for job in self.plan.jobs[1:]]
+        return {
+            held.job.task_id: self.plan.saving(held.job.task_id)
+            for held in later
+            if held.may_be_offered
+        }
 
     def _may_come_next(self, held: Holding) -> bool:
         return self.guards.after_done(held.job.task.after, self.follower.book.done())
@@ -290,20 +313,19 @@ class Robot:
 
     def _reports(self, now_s: float) -> list[TaskProgress]:
         """What the manager's table does not show yet."""
-        records, reports = self.follower.book.records, []
-        for task_id, held in self.holdings.items():
-            if held.asked and not held.granted:
-                reports.append(
-                    TaskProgress(now_s, task_id, held.round, self.name, 0.0, 0.0, State.ACTIVE)
-                )
-        for task_id, ended in self._ended.items():
-            record = records.get(task_id)
-            holder = record.holders.get(self.name) if record is not None else None
-            if record is None or record.done_by:
-                continue
-            shown = holder is not None and holder.state is State.DONE
-            if (ended.state is State.DONE and not shown) or (
-                ended.state is not State.DONE and record.round == ended.round and holder
-            ):
-                reports.append(ended)
-        return reports
+        asked = [
+            TaskProgress(now_s, task_id, held.round, self.name, 0.0, 0.0, State.ACTIVE)
+            for task_id, held in self.holdings.items()
+            if held.asked and not held.granted
+        ]
+        return asked + [one for one in self._ended.values() if self._is_unknown(one)]
+
+    def _is_unknown(self, ended: TaskProgress) -> bool:
+        """Whether the record of a task does not show how it has ended for this robot."""
+        record = self.follower.book.records.get(ended.task_id)
+        if record is None or record.done_by:
+            return False
+        holder = record.holders.get(self.name)
+        if ended.state is State.DONE:
+            return holder is None or holder.state is not State.DONE
+        return holder is not None and record.round == ended.round

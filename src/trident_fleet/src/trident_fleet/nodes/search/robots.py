@@ -182,25 +182,30 @@ class SeaRobot:
             self._topics.send("command/stop", header)
             return
         path, motion = list(self.vehicle.path_left), self.vehicle.motion
-        is_near = len(path) <= 1 and math.dist(motion.place, self.vehicle.keeps) <= _STATION_M
+        is_near = self._is_near_station(path)
         said = ("station", self.vehicle.keeps) if is_near else ("path", self.vehicle.version)
         if said == self._said or not self._has_speed:
-            self._has_speed = True
-            twist = TwistStamped(header=header)
-            corners = path or [self.vehicle.keeps]
-            allowed_m_s = allowed_speed(
-                motion.place, corners, self._speed_m_s, _BRAKE_M_S2, _TURN_M
-            )
-            twist.twist.linear.x = max(allowed_m_s, _SLOWEST_M_S)
-            self._topics.send("command/cruise", twist)
+            self._send_speed(header, path)
             return
         self._said = said
         if is_near:
             self._topics.send("command/pose", _pose(header, self.vehicle.keeps, motion.yaw_rad))
-            return
-        message = Path(header=header)
-        message.poses = [_pose(header, place, 0.0) for place in path]
-        self._topics.send("command/path", message)
+        else:
+            self._topics.send("command/path", _path(header, path))
+
+    def _is_near_station(self, path: list[Place]) -> bool:
+        away_m = math.dist(self.vehicle.motion.place, self.vehicle.keeps)
+        return len(path) <= 1 and away_m <= _STATION_M
+
+    def _send_speed(self, header: Header, path: list[Place]) -> None:
+        """How fast it goes along the path, or to the station where that is empty."""
+        self._has_speed = True
+        twist = TwistStamped(header=header)
+        corners = path or [self.vehicle.keeps]
+        place = self.vehicle.motion.place
+        allowed_m_s = allowed_speed(place, corners, self._speed_m_s, _BRAKE_M_S2, _TURN_M)
+        twist.twist.linear.x = max(allowed_m_s, _SLOWEST_M_S)
+        self._topics.send("command/cruise", twist)
 
     def repeat(self) -> None:
         """Say the newest again."""
@@ -215,6 +220,12 @@ def _pose(header: Header, place: Place, yaw_rad: float) -> PoseStamped:
         math.cos(yaw_rad / 2.0),
     )
     return pose
+
+
+def _path(header: Header, places: list[Place]) -> Path:
+    message = Path(header=header)
+    message.poses = [_pose(header, place, 0.0) for place in places]
+    return message
 
 
 class GroundRobot:
@@ -270,12 +281,15 @@ class GroundRobot:
     def repeat(self) -> None:
         """An answer is one message: nothing to repeat."""
 
+    def _refuse(self, problem: str) -> None:
+        if self._refusals is None:
+            self._refusals = Refusals()
+        self._refusals.note("odom refused", f"odom of {self.name} refused: {problem}")
+
     def _answer(self, odometry: rospy.AnyMsg) -> None:
         problem = foreign_problem(odometry)
         if problem:
-            if self._refusals is None:
-                self._refusals = Refusals()
-            self._refusals.note("odom refused", f"odom of {self.name} refused: {problem}")
+            self._refuse(problem)
             return
         _, seconds, nanoseconds = struct.unpack_from("<III", odometry._buff)
         stamp_ns = seconds * NS_PER_S + nanoseconds

@@ -49,11 +49,8 @@ def read_team(get: Getter) -> TeamSettings:
         FormationError: names parameter, or file and line, with value and what is legal.
     """
     params = Params(get, SearchError)
-    files = {name: params.text(name, "") for name in ("scene", "numbers", "tree")}
-    for name, file in files.items():
-        if not file:
-            raise SearchError(f"{name}: ''; legal: path of a file")
-    config = read_mission(Path(files["numbers"]))
+    files = _files(params)
+    config = read_mission(files["numbers"])
     until_s = params.number("duration", 0.0)
     if not 0.0 <= until_s <= _LONGEST_S:
         raise SearchError(
@@ -70,7 +67,13 @@ def read_team(get: Getter) -> TeamSettings:
         seed=params.integer("seed", Setup.seed),
         deaths=tuple(death_of("kill", text) for text in kill.split()),
     )
-    scene_file = Path(files["scene"])
-    return TeamSettings(
-        scene_file, read_scene(scene_file), config, read_tree(Path(files["tree"])), setup, whole
-    )
+    scene, tree = read_scene(files["scene"]), read_tree(files["tree"])
+    return TeamSettings(files["scene"], scene, config, tree, setup, whole)
+
+
+def _files(params: Params) -> dict[str, Path]:
+    names = {name: params.text(name, "") for name in ("scene", "numbers", "tree")}
+    for name, file in names.items():
+        if not file:
+            raise SearchError(f"{name}: ''; legal: path of a file")
+    return {name: Path(file) for name, file in names.items()}

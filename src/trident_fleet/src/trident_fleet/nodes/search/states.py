@@ -61,17 +61,18 @@ class TeamStates:
             return None
 
     def _take(self, state: FleetState) -> None:
-        problem = foreign_problem(state) or stamp_problem(state.header.stamp)
-        if not problem and not len(state.name) == len(state.pose) == len(state.twist):
-            problem = "names, poses and twists are not equally many"
+        problem = _problem(state)
         number = dict(zip(state.name, range(len(state.name)), strict=True))
         self.missing = [name for name in self._names if name not in number]
         if not problem and not self.missing:
             problem = self._use(state, number)
         if problem:
-            if self._refusals is None:
-                self._refusals = Refusals()
-            self._refusals.note("fleet_state refused", f"fleet_state refused: {problem}")
+            self._refuse(problem)
+
+    def _refuse(self, problem: str) -> None:
+        if self._refusals is None:
+            self._refusals = Refusals()
+        self._refusals.note("fleet_state refused", f"fleet_state refused: {problem}")
 
     def _use(self, state: FleetState, number: dict[str, int]) -> str:
         """Hand a state on; returns what is wrong with it."""
@@ -87,6 +88,14 @@ class TeamStates:
             self._newest_ns = stamp_ns
             self._states.put(TeamState(stamp_ns, motion, position))
         return ""
+
+
+def _problem(state: FleetState) -> str:
+    """What is wrong with a state as a whole; "": nothing."""
+    problem = foreign_problem(state) or stamp_problem(state.header.stamp)
+    if not problem and not len(state.name) == len(state.pose) == len(state.twist):
+        return "names, poses and twists are not equally many"
+    return problem
 
 
 def motion_of(pose: Pose, twist: Twist) -> Motion:

@@ -110,8 +110,7 @@ class TeamNode:
         Raises:
             FormationError: it does not, or time runs already.
         """
-        kinds = self._settings.config.kinds
-        fed = [one for one in self._vehicles if kinds[one.name[:-1]].domain != "ground"]
+        fed = self._fed()
         feed = FeedConfig(PERIOD_NS, PERIOD_NS)
         fleet = FleetSettings(FormationSource("search and rescue"), feed=feed)
         link = SimulatorClient(self._vehicles, fed or self._vehicles, fleet)
@@ -125,6 +124,11 @@ class TeamNode:
                 f"the world is at {start_ns / NS_PER_S:g} s; legal: at 0, wait_for_sources is 1"
             )
         return link
+
+    def _fed(self) -> list[Vehicle]:
+        """The robots that are commanded by set-points: all but those on wheels."""
+        kinds = self._settings.config.kinds
+        return [one for one in self._vehicles if kinds[one.name[:-1]].domain != "ground"]
 
     def _mission(self, first: TeamState) -> Mission:
         settings = self._settings
@@ -164,10 +168,13 @@ class TeamNode:
             for name, robot in self._robots.items():
                 robot.vehicle.people = _people_on_land(mission.crews[name])
             mission.decide()
+        self._command(mission, state.stamp_ns + PERIOD_NS)
+        return False
+
+    def _command(self, mission: Mission, stamp_ns: int) -> None:
         for name, robot in self._robots.items():
             crew = mission.crews[name]
-            robot.command(state.stamp_ns + PERIOD_NS, crew.alive, crew.robot.in_air)
-        return False
+            robot.command(stamp_ns, crew.alive, crew.robot.in_air)
 
     def _say(self, mission: Mission) -> None:
         """What each robot is about, when that changes, and now and then how all stands."""
@@ -192,27 +199,33 @@ class TeamNode:
     def _end(self, mission: Mission, link: SimulatorClient, state: TeamState) -> None:
         """Leave the record, and let the world end when the last commands do."""
         self._record.end(mission)
-        settings, truth = self._settings, mission.truth
         if self._out_dir is not None:
-            flown = Flown(
-                settings.scene_file,
-                settings.setup,
-                settings.whole,
-                mission.outcome(),
-                self._record,
-                truth.people,
-                truth.places,
-            )
-            write_flown(self._out_dir / RECORD, flown)
+            write_flown(self._out_dir / RECORD, self._flown(mission))
         end_ns = state.stamp_ns + PERIOD_NS
         grounded = [one for one in self._robots.values() if isinstance(one, GroundRobot)]
         if len(grounded) < len(self._robots):
             link.enroll(end_ns)
-            while self._states.has_simulator and not self._over.wait(_POLL_S):
-                pass
+            self._wait_for_end()
         for robot in grounded:
             # It stands at the question that is not answered, until this node has ended the launch.
             robot.wait_for_question(end_ns)
+
+    def _flown(self, mission: Mission) -> Flown:
+        settings, truth = self._settings, mission.truth
+        return Flown(
+            settings.scene_file,
+            settings.setup,
+            settings.whole,
+            mission.outcome(),
+            self._record,
+            truth.people,
+            truth.places,
+        )
+
+    def _wait_for_end(self) -> None:
+        """Return when the simulator is gone, or this node ends."""
+        while self._states.has_simulator and not self._over.wait(_POLL_S):
+            pass
 
 
 def _people_on_land(crew: Crew) -> list[Place]:

@@ -126,16 +126,17 @@ class Coordinator:
     def _report(self) -> None:
         """Bad input is counted in /diagnostics; why a task will not be done is logged once."""
         follower, manager = self._member.follower, self._member.manager
-        for text, count in (follower.problems - self._said).items():
-            for _ in range(count):
-                self._refusals.note("tasks refused", text)
+        for text in (follower.problems - self._said).elements():
+            self._refusals.note("tasks refused", text)
         self._said = Counter(follower.problems)
         if manager is not None and manager.on_duty:
             for task_id, reason in manager.ledger.reasons.items():
-                text = f"task {task_id}: {reason}"
-                if text not in self._reported:
-                    rospy.logwarn(text)
-                self._reported.add(text)
+                self._warn_once(f"task {task_id}: {reason}")
+
+    def _warn_once(self, text: str) -> None:
+        if text not in self._reported:
+            rospy.logwarn(text)
+        self._reported.add(text)
 
 
 def main() -> int:

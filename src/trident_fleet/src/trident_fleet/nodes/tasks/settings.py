@@ -93,15 +93,25 @@ def _team(params: Params, times: Times) -> Team:
     if not isinstance(given, Mapping) or not given:
         raise TaskError(f"robots: {given!r}; legal: a map of names with role, skills, ...")
     robots = {str(name): _robot(str(name), fields) for name, fields in given.items()}
-    managers = params.given("managers") or list(robots)
-    if not isinstance(managers, list) or not all(isinstance(one, str) for one in managers):
-        raise TaskError(f"managers: {managers!r}; legal: a list of names, first who manages first")
-    if len(set(managers)) < len(managers):
-        raise TaskError(f"managers: {managers!r}; legal: each name once")
+    managers = _managers(params, robots)
     attempts = params.integer("attempts", 3)
     if attempts < 1:
         raise TaskError(f"attempts: {attempts}; legal: 1 or more")
-    return Team(robots, tuple(managers), times, attempts)
+    return Team(robots, managers, times, attempts)
+
+
+def _managers(params: Params, robots: Mapping[str, Capabilities]) -> tuple[str, ...]:
+    """Who may manage, in the order of the succession; all robots unless it is given."""
+    managers = params.given("managers") or list(robots)
+    if not _are_names(managers):
+        raise TaskError(f"managers: {managers!r}; legal: a list of names, first who manages first")
+    if len(set(managers)) < len(managers):
+        raise TaskError(f"managers: {managers!r}; legal: each name once")
+    return tuple(managers)
+
+
+def _are_names(given: Any) -> bool:
+    return isinstance(given, list) and all(isinstance(one, str) for one in given)
 
 
 _FIELDS = ("payload_kg", "speed_m_s", "energy_j", "travel_power_w", "work_power_w")
@@ -111,19 +121,23 @@ def _robot(name: str, given: Any) -> Capabilities:
     """What a robot can do, from its entry."""
     if not isinstance(given, Mapping):
         raise TaskError(f"robots/{name}: {given!r}; legal: a map with role, skills, ...")
-    legal = ("role", "skills", *_FIELDS)
-    for key in given:
-        if key not in legal:
-            raise TaskError(f"robots/{name}/{key}: unknown{nearest(str(key), legal)}")
+    _check_keys(name, given)
     params = Params(given.get, TaskError, f"robots/{name}/")
     role = params.text("role", "")
     if role not in ROLES:
         raise TaskError(f"robots/{name}/role: {role!r}; legal: {', '.join(ROLES)}")
     skills = given.get("skills", [])
-    if not isinstance(skills, list) or not all(isinstance(one, str) for one in skills):
+    if not _are_names(skills):
         raise TaskError(f"robots/{name}/skills: {skills!r}; legal: a list of names")
     numbers = {key: params.number(key, 0.0) for key in _FIELDS if key in given}
     return Capabilities(ROLES[role], tuple(skills), **numbers)
+
+
+def _check_keys(name: str, given: Mapping[Any, Any]) -> None:
+    legal = ("role", "skills", *_FIELDS)
+    for key in given:
+        if key not in legal:
+            raise TaskError(f"robots/{name}/{key}: unknown{nearest(str(key), legal)}")
 
 
 def _check_role(role: str, name: str, team: Team) -> None:
@@ -148,7 +162,7 @@ def _objective(text: str) -> Objective:
 def _wiring(params: Params, name: str, team: Team) -> Wiring:
     network = params.text("network", "topics")
     users = params.given("users") or []
-    if not isinstance(users, list) or not all(isinstance(one, str) for one in users):
+    if not _are_names(users):
         raise TaskError(f"users: {users!r}; legal: a list of names")
     if network == "relay":
         return Wiring.relayed(name, (team.members | set(users)) - {name})

@@ -12,6 +12,7 @@ from py_trees.common import Status
 from trident_fleet.core.missions.nodes.base import STEP_S, Node, task_of
 from trident_fleet.core.missions.reports import Fix
 from trident_fleet.core.missions.robot import MissionRobot
+from trident_fleet.core.tasks.messages import TaskAnnounce
 
 _CLOSE = 0.25  # share of the distance that counts, to which a robot goes
 _LOST_S = 60.0  # after which somebody who is not where they should be is given up
@@ -44,6 +45,20 @@ def person_of(task_id: str) -> str:
     return task_id.split("/", 1)[1]
 
 
+def fix_of(robot: MissionRobot, task: TaskAnnounce | None) -> Fix | None:
+    """What is known of the person whom a task is about; None: no task, or nobody known."""
+    return None if task is None else robot.knowledge.people.get(person_of(task.task_id))
+
+
+def end_task(robot: MissionRobot, task: TaskAnnounce, status: Status, after: Fix) -> None:
+    """End a task as the robot's stay with somebody ended, of whom `after` is known on success."""
+    if status is Status.SUCCESS:
+        robot.knowledge.detected(after)
+        robot.finish(task.task_id)
+    elif status is Status.FAILURE:
+        robot.fail(task.task_id, "not where they should be")
+
+
 @dataclass(frozen=True)
 class Serve(Node):
     """The task to serve somebody: a rescuer stands with them."""
@@ -51,21 +66,17 @@ class Serve(Node):
     def tick(self, robot: MissionRobot) -> Status:
         """SUCCESS: served."""
         task = task_of(robot, "serve")
-        fix = robot.knowledge.people.get(person_of(task.task_id)) if task is not None else None
+        fix = fix_of(robot, task)
         if task is None or fix is None:
             return Status.FAILURE
         robot.doing = task.task_id
+        has_begun = robot.begin(task.task_id)
         if fix.served:
-            if robot.begin(task.task_id):
+            if has_begun:
                 robot.finish(task.task_id)
             return Status.SUCCESS
-        robot.begin(task.task_id)
         status = attend(robot, fix, robot.rules.serve_m, robot.rules.serve_s)
-        if status is Status.SUCCESS:
-            robot.knowledge.detected(replace(fix, confirmed=True, served=True))
-            robot.finish(task.task_id)
-        elif status is Status.FAILURE:
-            robot.fail(task.task_id, "not where they should be")
+        end_task(robot, task, status, replace(fix, confirmed=True, served=True))
         return status
 
 
@@ -77,24 +88,28 @@ class ServeUnasked(Node):
         """RUNNING while there is somebody."""
         if robot.alone_s < 10.0 or robot.task() is not None:
             return Status.FAILURE
-        waiting = [
-            fix
-            for fix in robot.knowledge.people.values()
-            if not fix.served and robot.can_rescue(fix) and robot.now_s - fix.time_s < 400.0
-        ]
-        if not waiting:
+        fix = _nearest_waiting(robot)
+        if fix is None:
             return Status.FAILURE
-        fix = min(
-            waiting,
-            key=lambda one: math.dist(
-                robot.vehicle.place, robot.knowledge.place_of(one, robot.now_s)
-            ),
-        )
         robot.doing = f"serves {fix.name} unasked"
         status = attend(robot, fix, robot.rules.serve_m, robot.rules.serve_s)
         if status is Status.SUCCESS:
             robot.knowledge.detected(replace(fix, confirmed=True, served=True))
         return status
+
+
+def _nearest_waiting(robot: MissionRobot) -> Fix | None:
+    """The nearest of those whom the robot may rescue and has heard of lately."""
+    waiting = (
+        fix
+        for fix in robot.knowledge.people.values()
+        if not fix.served and robot.can_rescue(fix) and robot.now_s - fix.time_s < 400.0
+    )
+    return min(
+        waiting,
+        key=lambda one: math.dist(robot.vehicle.place, robot.knowledge.place_of(one, robot.now_s)),
+        default=None,
+    )
 
 
 @dataclass(frozen=True)
@@ -104,7 +119,7 @@ class Confirm(Node):
     def tick(self, robot: MissionRobot) -> Status:
         """SUCCESS: confirmed."""
         task = task_of(robot, "confirm")
-        fix = robot.knowledge.people.get(person_of(task.task_id)) if task is not None else None
+        fix = fix_of(robot, task)
         if task is None or fix is None:
             return Status.FAILURE
         robot.doing = task.task_id
@@ -113,9 +128,5 @@ class Confirm(Node):
             robot.finish(task.task_id)
             return Status.SUCCESS
         status = attend(robot, fix, robot.rules.confirm_m, robot.rules.confirm_s)
-        if status is Status.SUCCESS:
-            robot.knowledge.detected(replace(fix, confirmed=True))
-            robot.finish(task.task_id)
-        elif status is Status.FAILURE:
-            robot.fail(task.task_id, "not where they should be")
+        end_task(robot, task, status, replace(fix, confirmed=True))
         return status

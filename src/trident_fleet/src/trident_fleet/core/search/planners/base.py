@@ -44,14 +44,17 @@ class CoverageProblem:
         """
         if self.free.ndim != 2 or not self.free.size:
             raise SearchError(f"coverage: free has shape {self.free.shape}, legal: (rows, columns)")
-        row, column = self.start
-        inside = 0 <= row < self.free.shape[0] and 0 <= column < self.free.shape[1]
-        if not inside or not self.free[row, column]:
+        if not self._starts_free():
             raise SearchError(f"coverage: start is {self.start}, legal: a free cell")
         if self.gain is not None and self.gain.shape != self.free.shape:
             raise SearchError(
                 f"coverage: gain has shape {self.gain.shape}, legal: {self.free.shape}"
             )
+
+    def _starts_free(self) -> bool:
+        row, column = self.start
+        inside = 0 <= row < self.free.shape[0] and 0 <= column < self.free.shape[1]
+        return inside and bool(self.free[row, column])
 
     @cached_property
     def reachable(self) -> Mask:

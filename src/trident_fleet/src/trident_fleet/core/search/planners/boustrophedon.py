@@ -52,14 +52,10 @@ def parts_of(free: Mask) -> list[list[Strip]]:
     open_parts: list[list[Strip]] = []
     for row in range(free.shape[0]):
         strips = _strips(free[row], row)
-        above = {
-            index: [part for part in open_parts if _touch(part[-1], strip)]
-            for index, strip in enumerate(strips)
-        }
-        split = [sum(part in found for found in above.values()) for part in open_parts]
+        above = [_touching(open_parts, strip) for strip in strips]
+        split = [sum(part in found for found in above) for part in open_parts]
         following = []
-        for index, strip in enumerate(strips):
-            found = above[index]
+        for strip, found in zip(strips, above, strict=True):
             if len(found) == 1 and split[open_parts.index(found[0])] == 1:
                 found[0].append(strip)
                 following.append(found[0])
@@ -68,6 +64,11 @@ def parts_of(free: Mask) -> list[list[Strip]]:
                 following.append(parts[-1])
         open_parts = following
     return parts
+
+
+def _touching(parts: list[list[Strip]], strip: Strip) -> list[list[Strip]]:
+    """Parts whose last strip touches another one."""
+    return [part for part in parts if _touch(part[-1], strip)]
 
 
 def _strips(free: Mask, row: int) -> list[Strip]:

@@ -52,6 +52,11 @@ class Sale:
     job: Job
     bids: dict[str, Offer] = field(default_factory=dict)
 
+    def buyer(self) -> Offer | None:
+        """Who bids least; None: nobody bids less than the offer by the margin."""
+        best = min(self.bids.values(), key=by_cost, default=None)
+        return best if best and best.cost < (1.0 - _MARGIN) * self.offer.cost else None
+
 
 class Resale:
     """All sales of one manager."""
@@ -113,17 +118,17 @@ class Resale:
     def decide(self, records: Mapping[str, Record], now_s: float) -> list[tuple[Job, Offer]]:
         """The sales that end now with a buyer; of each robot one, whose bids then are others."""
         sold: list[tuple[Job, Offer]] = []
+        busy: set[str] = set()
         for task_id, sale in list(self._sales.items()):
             if now_s <= sale.job.task.bids_until_s:
                 continue
             del self._sales[task_id]
-            best = min(sale.bids.values(), key=by_cost, default=None)
-            busy = {offer.robot for _, offer in sold}
+            best = sale.buyer()
             if best is None or best.robot in busy or not self._holds(sale, records, now_s):
                 continue
-            if best.cost < (1.0 - _MARGIN) * sale.offer.cost:
-                self._messages += 2
-                sold.append((sale.job, best))
+            self._messages += 2
+            busy.add(best.robot)
+            sold.append((sale.job, best))
         return sold
 
     def _holds(self, sale: Sale, records: Mapping[str, Record], now_s: float) -> bool:
@@ -133,7 +138,7 @@ class Resale:
         until_s = sale.offer.stamp_s + hold_s(self._times) - self._times.step_s
         return (
             holder is not None
-            and not (record.done_by or record.given_up)
+            and not record.over
             and holder.state is State.AWARDED
             and self._guards.same_round(sale.offer.round, record.round)
             and self._guards.in_time(now_s, until_s)

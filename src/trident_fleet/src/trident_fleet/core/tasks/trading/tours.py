@@ -13,7 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from trident_fleet.core.quintic import Array
-from trident_fleet.core.tasks.plan import Job, Objective, Plan
+from trident_fleet.core.tasks.messages import Point
+from trident_fleet.core.tasks.plan import Objective, Plan
 
 Index = npt.NDArray[np.intp]
 
@@ -57,32 +58,45 @@ class Tours:
         self.plans = list(plans)
         self.objective = plans[0].objective
         self.jobs = [job for plan in plans for job in plan.jobs]
-        count = len(self.jobs)
-        number = {job.task_id: index for index, job in enumerate(self.jobs)}
-        self.routes = [[number[job.task_id] for job in plan.jobs] for plan in plans]
-        points = [job.task.place for job in self.jobs] + [plan.place for plan in plans]
-        travels = {id(plan.travel): plan.travel for plan in plans}
-        self.kind = np.array(
-            [list(travels).index(id(plan.travel)) for plan in plans], dtype=np.intp
-        )
-        self.lengths = np.zeros((len(travels), len(points) + 1, len(points) + 1))
-        for table, travel in zip(self.lengths, travels.values(), strict=True):
-            for row, column in itertools.permutations(range(len(points)), 2):
-                table[row, column] = travel(points[row], points[column])
+        self.routes = self._routes()
+        self.kind, self.lengths = self._lengths()
         self.lengths_to = np.ascontiguousarray(self.lengths.transpose(0, 2, 1))
-        self.end = len(points)
+        self.end = len(self.jobs) + len(plans)
         self.work = np.array([job.task.duration_s for job in self.jobs] + [0.0] * (len(plans) + 1))
         self.speed = np.array([plan.can.speed_m_s for plan in plans])
-        self.can = np.array(
-            [[not plan.lacks(job) for job in self.jobs] for plan in plans], dtype=bool
-        ).reshape(len(plans), count)
-        self.bound = any(self._is_bound(job) for job in self.jobs) or any(
-            plan.energy_j < math.inf for plan in plans
-        )
+        self.can = self._abilities()
+        self.bound = self._is_bound()
 
-    @staticmethod
-    def _is_bound(job: Job) -> bool:
-        return job.task.deadline_s < math.inf or job.asked.not_before_s > 0.0
+    def _routes(self) -> list[list[int]]:
+        number = {job.task_id: index for index, job in enumerate(self.jobs)}
+        return [[number[job.task_id] for job in plan.jobs] for plan in self.plans]
+
+    def _points(self) -> list[Point]:
+        """Where the tasks and then the robots are, p_common [m]."""
+        return [job.task.place for job in self.jobs] + [plan.place for plan in self.plans]
+
+    def _lengths(self) -> tuple[Index, Array]:
+        """Which robots travel alike, and lengths from node to node by them."""
+        points = self._points()
+        travels = {id(plan.travel): plan.travel for plan in self.plans}
+        kind = [list(travels).index(id(plan.travel)) for plan in self.plans]
+        lengths = np.zeros((len(travels), len(points) + 1, len(points) + 1))
+        for table, travel in zip(lengths, travels.values(), strict=True):
+            for row, column in itertools.permutations(range(len(points)), 2):
+                table[row, column] = travel(points[row], points[column])
+        return np.array(kind, dtype=np.intp), lengths
+
+    def _abilities(self) -> npt.NDArray[np.bool_]:
+        """Which robot can do which task, shape (R, n)."""
+        can = [[not plan.lacks(job) for job in self.jobs] for plan in self.plans]
+        return np.array(can, dtype=bool).reshape(len(self.plans), len(self.jobs))
+
+    def _is_bound(self) -> bool:
+        """Whether times or energy decide what fits."""
+        tasks = any(
+            job.task.deadline_s < math.inf or job.asked.not_before_s > 0.0 for job in self.jobs
+        )
+        return tasks or any(plan.energy_j < math.inf for plan in self.plans)
 
     def nodes(self, route: int) -> list[int]:
         """The place of the robot, its tasks, the end."""

@@ -26,23 +26,31 @@ def exact(
     """
     count = len(tasks)
     assert count <= _MOST
-    costs = []
-    for can, place in team.values():
-        least = [0.0] * (1 << count)
-        for mask in range(1, 1 << count):
-            chosen = [task for index, task in enumerate(tasks) if mask >> index & 1]
-            least[mask] = min(
-                sum(map(math.dist, (place, *order), order))
-                for order in itertools.permutations(task.place for task in chosen)
-            )
-            if makespan:
-                work_s = sum(task.duration_s for task in chosen)
-                least[mask] = least[mask] / can.speed_m_s + work_s
-        costs.append(least)
+    subsets = [_subset(tasks, mask) for mask in range(1 << count)]
+    costs = [
+        [_least(can, place, chosen, makespan) for chosen in subsets] for can, place in team.values()
+    ]
     best = costs[0]
     for least in costs[1:]:
         best = [_best_split(best, least, mask, makespan) for mask in range(1 << count)]
     return best[-1]
+
+
+def _subset(tasks: Sequence[TaskAnnounce], mask: int) -> list[TaskAnnounce]:
+    return [task for index, task in enumerate(tasks) if mask >> index & 1]
+
+
+def _least(
+    can: Capabilities, place: Point, chosen: Sequence[TaskAnnounce], makespan: bool
+) -> float:
+    """The cost of a subset of tasks for one robot, in the best order."""
+    length_m = min(
+        sum(map(math.dist, (place, *order), order))
+        for order in itertools.permutations(task.place for task in chosen)
+    )
+    if not makespan:
+        return length_m
+    return length_m / can.speed_m_s + sum(task.duration_s for task in chosen)
 
 
 def _best_split(one: list[float], other: list[float], mask: int, makespan: bool) -> float:

@@ -5,7 +5,9 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 
+from trident_fleet.core.tasks.book import Book, Record
 from trident_fleet.core.tasks.member import Member
 from trident_fleet.core.tasks.messages import (
     State,
@@ -13,11 +15,16 @@ from trident_fleet.core.tasks.messages import (
     TaskAward,
     TaskBid,
     TaskMessage,
+    TaskProgress,
     epoch_of,
 )
 from trident_fleet.core.tasks.methods.base import Offer
 from trident_fleet.core.tasks.protocol import needs_permission
 from trident_fleet.core.tasks.rehearsal import Rehearsal
+from trident_fleet.core.tasks.robot import Holding
+
+Known = tuple[int, int, dict[str, State]]
+"""What a member knows of a task: the round, the member's epoch, and the states of the holders."""
 
 
 class BrokenError(AssertionError):
@@ -37,7 +44,7 @@ class Watch:
         self._done: dict[str, set[str]] = {}
         self._seen_begun = 0
         self._permitted: set[tuple[str, str, int]] = set()
-        self._records: dict[tuple[str, str], tuple[int, int, dict[str, State]]] = {}
+        self._records: dict[tuple[str, str], Known] = {}
         for member in rehearsal.members.values():
             self.listen(member)
 
@@ -82,34 +89,32 @@ class Watch:
     def _check_reopened(self, member: Member) -> None:
         """No manager takes a task from a robot that may still have it."""
         for task_id, record in member.follower.book.records.items():
-            now = (
-                record.round,
-                member.follower.epoch,
-                {name: holder.state for name, holder in record.holders.items()},
-            )
+            now = _known(record, member.follower.epoch)
             before = self._records.get((member.name, task_id))
             self._records[member.name, task_id] = now
-            on_duty = member.manager is not None and member.manager.on_duty
-            if before is None or not on_duty or before[1] != now[1] or before[0] == now[0]:
+            if before is None or record.task.robots_needed != 1:
                 continue
-            own = epoch_of(before[0]) == epoch_of(now[0]) == now[1]
-            if own and record.task.robots_needed == 1:
+            if _has_reopened(member, before, now):
                 for name, state in before[2].items():
                     self._check_left(name, record.task, before[0], state)
 
     def _check_left(self, name: str, task: TaskAnnounce, auction: int, state: State) -> None:
-        robot = self.rehearsal.members[name].robot
-        assert robot is not None
-        held = robot.holdings.get(task.task_id)
-        now_s = self.rehearsal.channel.now()
-        follows = self.rehearsal.members[name].follower.epoch == epoch_of(auction)
-        claims = held is not None and held.round == auction and held.lease_until_s > now_s
-        if follows and claims and held is not None and held.offered_until_s <= now_s:
+        member = self.rehearsal.members[name]
+        assert member.robot is not None
+        held = member.robot.holdings.get(task.task_id)
+        follows = member.follower.epoch == epoch_of(auction)
+        if follows and self._is_claimed(held, auction):
             raise BrokenError(f"{task.task_id} was taken from {name} while its lease ran")
-        ended = robot._ended.get(task.task_id)
-        said = ended is not None and ended.round == auction and ended.state is not State.DONE
-        if state is State.ACTIVE and not task.repeatable and not said:
+        ended = member.robot._ended.get(task.task_id)
+        if state is State.ACTIVE and not task.repeatable and not _is_word_of(ended, auction):
             raise BrokenError(f"{task.task_id} was free again, without a word of {name}")
+
+    def _is_claimed(self, held: Holding | None, auction: int) -> bool:
+        """Whether a robot has a task by this round, and does not offer it to others."""
+        now_s = self.rehearsal.channel.now()
+        if held is None or held.round != auction:
+            return False
+        return held.lease_until_s > now_s and held.offered_until_s <= now_s
 
     def forget(self, name: str) -> None:
         """A member has restarted: it may know less than before."""
@@ -138,14 +143,17 @@ class Watch:
         if follower.epoch < self._epochs.get(name, 0):
             raise BrokenError(f"{name} went back to epoch {follower.epoch}")
         self._epochs[name] = follower.epoch
-        on_duty = member.manager is not None and member.manager.on_duty
-        if on_duty and self._managers.setdefault(follower.epoch, name) != name:
+        if _is_on_duty(member) and self._managers.setdefault(follower.epoch, name) != name:
             raise BrokenError(f"{name} and {self._managers[follower.epoch]} share an epoch")
         done = follower.book.done()
         if not self._done.get(name, set()) <= done:
             raise BrokenError(f"{name} forgot that a task is done")
         self._done[name] = done
-        for task_id, record in follower.book.records.items():
+        self._check_records(name, follower.book)
+
+    def _check_records(self, name: str, book: Book) -> None:
+        """No record is older than it was; who may begin is noted."""
+        for task_id, record in book.records.items():
             if record.version < self._versions.get((name, task_id), (0, 0)):
                 raise BrokenError(f"{name} went back to {record.version} of {task_id}")
             self._versions[name, task_id] = record.version
@@ -171,15 +179,18 @@ class Watch:
     def _check_holders(self) -> None:
         """Those who may work on a task that must not be done twice are of one round."""
         working: dict[str, set[int]] = {}
-        for name, member in self.rehearsal.members.items():
-            if member.robot is None or not self.rehearsal.channel.is_up(name):
-                continue
-            for task_id, held in member.robot.holdings.items():
-                if held.granted and not self.tasks[task_id].repeatable:
-                    working.setdefault(task_id, set()).add(held.round)
+        for task_id, held in self._holdings():
+            if held.granted and not self.tasks[task_id].repeatable:
+                working.setdefault(task_id, set()).add(held.round)
         for task_id, rounds in working.items():
             if len(rounds) > 1:
                 raise BrokenError(f"{task_id} is permitted in rounds {sorted(rounds)}")
+
+    def _holdings(self) -> Iterator[tuple[str, Holding]]:
+        """What the robots have that are up."""
+        for name, member in self.rehearsal.members.items():
+            if member.robot is not None and self.rehearsal.channel.is_up(name):
+                yield from member.robot.holdings.items()
 
     def _check_work(self) -> None:
         happened = self.rehearsal.happened
@@ -196,16 +207,43 @@ class Watch:
         for before in task.after:
             if not done[before]:
                 raise BrokenError(f"{name} began {task.task_id} before {before} was done")
-        if not needs_permission(task):
-            return
+        if needs_permission(task):
+            self._check_permission(now_s, task, name)
+
+    def _check_permission(self, now_s: float, task: TaskAnnounce, name: str) -> None:
         robot = self.rehearsal.members[name].robot
         held = robot.holdings.get(task.task_id) if robot is not None else None
         if held is not None and (name, task.task_id, held.round) not in self._permitted:
             raise BrokenError(f"{name} began {task.task_id} at {now_s} s without permission")
-        there = 0
-        for member in self.rehearsal.members.values():
-            held = member.robot.holdings.get(task.task_id) if member.robot is not None else None
-            ended = member.robot._ended.get(task.task_id) if member.robot is not None else None
-            there += (held is not None and held.asked) or ended is not None
+        there = sum(_is_there(one, task.task_id) for one in self.rehearsal.members.values())
         if there < task.robots_needed:
             raise BrokenError(f"{name} began {task.task_id} with {there} robots there")
+
+
+def _is_on_duty(member: Member) -> bool:
+    return member.manager is not None and member.manager.on_duty
+
+
+def _known(record: Record, epoch: int) -> Known:
+    states = {name: holder.state for name, holder in record.holders.items()}
+    return record.round, epoch, states
+
+
+def _has_reopened(member: Member, before: Known, now: Known) -> bool:
+    """Whether the manager of an epoch has opened a task again that it had given away itself."""
+    is_new = before[1] == now[1] and before[0] != now[0]
+    is_own = epoch_of(before[0]) == epoch_of(now[0]) == now[1]
+    return _is_on_duty(member) and is_new and is_own
+
+
+def _is_word_of(ended: TaskProgress | None, auction: int) -> bool:
+    """Whether a robot has said that it has not done what it won in a round."""
+    return ended is not None and ended.round == auction and ended.state is not State.DONE
+
+
+def _is_there(member: Member, task_id: str) -> bool:
+    """Whether a robot waits to begin a task, or has ended it."""
+    if member.robot is None:
+        return False
+    held = member.robot.holdings.get(task_id)
+    return (held is not None and held.asked) or task_id in member.robot._ended
