@@ -8,7 +8,7 @@ import argparse
 import json
 import shlex
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 from types import ModuleType
@@ -47,6 +47,41 @@ def measure_case(bench: ModuleType, case: Any, options: argparse.Namespace) -> d
         say(str(error))
         row = bench.failed(case, str(error).splitlines()[0])
     return row
+
+
+def keep_rows(
+    rows: Iterable[dict[str, Any]],
+    line: Callable[[dict[str, Any]], str],
+    out: Path | None,
+    document: dict[str, Any],
+) -> None:
+    """Print each row as it is measured, and write the document with it.
+
+    Args:
+        rows: that are measured one by one.
+        line: a row as text.
+        out: file of the document; None: nothing is written.
+        document: that the rows go into.
+    """
+    for row in rows:
+        print(line(row), flush=True)
+        document["rows"].append(row)
+        write_document(out, document)
+
+
+def keeps(figures: Mapping[str, float], limits: Mapping[str, float]) -> bool:
+    """Whether no figure is above its limit."""
+    return all(figures[name] <= limit for name, limit in limits.items())
+
+
+def limits_code(document: dict[str, Any]) -> int:
+    """The exit code: whether all rows keep their limits."""
+    return MEASURED if all(row["passed"] for row in document["rows"]) else FAILED
+
+
+def errors_code(document: dict[str, Any]) -> int:
+    """The exit code: whether all rows could be measured."""
+    return FAILED if any("error" in row for row in document["rows"]) else MEASURED
 
 
 def check_folder(out: Path | None) -> None:

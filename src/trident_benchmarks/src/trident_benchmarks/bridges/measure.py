@@ -17,9 +17,8 @@ from trident_benchmarks.bridges.limits import as_json, figures_text
 from trident_benchmarks.bridges.rows import ECHO, Bench, BridgeRow, MissingDataError, Row
 from trident_benchmarks.processes import Processes
 from trident_benchmarks.results import (
-    FAILED,
-    MEASURED,
     check_folder,
+    limits_code,
     new_document,
     say,
     write_document,
@@ -47,14 +46,19 @@ def chosen_rows(name: str | None) -> Sequence[Row]:
     """
     if name is None:
         return ROWS
+    chosen = _row_named(name)
+    is_compared = any(limit.key == "over_echo_ms" for limit in chosen.limits)
+    names = (ECHO, name) if is_compared else (name,)
+    return [row for row in ROWS if row.name in names]
+
+
+def _row_named(name: str) -> Row:
     names = [row.name for row in ROWS]
     if name not in names:
         near = difflib.get_close_matches(name, names, n=1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
         raise EvalError(f"--only {name!r} is not a row{hint} Known: {', '.join(names)}")
-    (chosen,) = (row for row in ROWS if row.name == name)
-    is_compared = any(limit.key == "over_echo_ms" for limit in chosen.limits)
-    return [row for row in ROWS if row is chosen or (is_compared and row.name == ECHO)]
+    return ROWS[names.index(name)]
 
 
 def measure_row(
@@ -126,4 +130,4 @@ def measure(options: argparse.Namespace) -> int:
             document["rows"].append(result)
             print(line(row, result), flush=True)
             write_document(options.out, document)
-    return MEASURED if all(row["passed"] for row in document["rows"]) else FAILED
+    return limits_code(document)

@@ -21,7 +21,7 @@ from trident_eval.ros_paths import package_folder
 from trident_sim.envs import trident_formation_v0, trident_search_v0
 
 import trident_sim
-from trident_benchmarks.results import FAILED, MEASURED, check_folder, new_document, write_document
+from trident_benchmarks.results import check_folder, keep_rows, limits_code, new_document
 
 _RUNS = 3
 _HOVER_PER_S, _SEARCH_PER_S = 70_000.0, 4_000.0
@@ -224,9 +224,5 @@ def measure(options: argparse.Namespace) -> int:
     """All rows; the exit code."""
     check_folder(options.out)
     document = new_document() | {"rows": []}
-    for make in rows_of(options.quick):
-        row = make()
-        print(line(row), flush=True)
-        document["rows"].append(row)
-        write_document(options.out, document)
-    return MEASURED if all(row["passed"] for row in document["rows"]) else FAILED
+    keep_rows((make() for make in rows_of(options.quick)), line, options.out, document)
+    return limits_code(document)

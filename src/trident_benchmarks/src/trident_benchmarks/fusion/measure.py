@@ -23,9 +23,8 @@ from trident_benchmarks.fusion.rows import (
     speed_rows,
 )
 from trident_benchmarks.results import (
-    FAILED,
-    MEASURED,
     check_folder,
+    limits_code,
     new_document,
     say,
     write_document,
@@ -50,12 +49,16 @@ def measure(options: argparse.Namespace) -> int:
         check_folder(file)
     document = new_document() | {"rows": []}
     for suite in options.suite or SUITES:
-        seeds, rows_of = _MAKERS[suite]
-        for row in rows_of(runs(suite, max(1, seeds // _QUICK) if options.quick else seeds)):
+        for row in _rows(suite, options.quick):
             print(line(row), flush=True)
             document["rows"].append(row)
         write_document(options.out, document)
     if options.picture:
         draw(options.picture, runs("picture", 1))
         say(f"{options.picture}: tracks with ellipses of two standard deviations")
-    return MEASURED if all(row["passed"] for row in document["rows"]) else FAILED
+    return limits_code(document)
+
+
+def _rows(suite: str, is_quick: bool) -> list[Row]:
+    seeds, rows_of = _MAKERS[suite]
+    return rows_of(runs(suite, max(1, seeds // _QUICK) if is_quick else seeds))

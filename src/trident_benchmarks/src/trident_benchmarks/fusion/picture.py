@@ -29,24 +29,27 @@ def ellipse(covariance: Sequence[float]) -> tuple[float, float, float]:
 
 
 def _draw_tracks(axes: Any, points: Sequence[dict[str, Any]], colors: Sequence[str]) -> None:
-    from matplotlib.patches import Ellipse
-
     for robot, name in enumerate(_NAMES):
         own = [point for point in points if point["robot"] == robot]
         axes.plot(*np.array([point["truth"] for point in own]).T, color="0.6", linewidth=1.0)
         axes.plot(*np.array([point["p"] for point in own]).T, color=colors[robot], label=name)
-        for point in own:
-            if point["t"] % _ELLIPSE_PERIOD_S > 1e-6:
-                continue
-            width, height, angle = ellipse(point["covariance"])
-            axes.add_patch(
-                Ellipse(point["p"], width, height, angle=angle, fill=False, color=colors[robot])
-            )
+        _draw_ellipses(axes, own, colors[robot])
     axes.set_aspect("equal", adjustable="datalim")
     axes.set_xlabel("x [m]")
     axes.set_ylabel("y [m]")
     axes.grid(True, alpha=0.3)
     axes.legend(fontsize=7)
+
+
+def _draw_ellipses(axes: Any, points: Sequence[dict[str, Any]], color: str) -> None:
+    """Two standard deviations, now and then."""
+    from matplotlib.patches import Ellipse
+
+    for point in points:
+        if point["t"] % _ELLIPSE_PERIOD_S > 1e-6:
+            continue
+        width, height, angle = ellipse(point["covariance"])
+        axes.add_patch(Ellipse(point["p"], width, height, angle=angle, fill=False, color=color))
 
 
 def _draw_errors(axes: Any, points: Sequence[dict[str, Any]], label: str) -> None:

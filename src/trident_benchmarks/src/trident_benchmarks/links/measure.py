@@ -6,7 +6,8 @@ from __future__ import annotations
 
 import argparse
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from trident_benchmarks.links.benchmark import SUITES
@@ -17,12 +18,11 @@ from trident_benchmarks.links.radios import circle, goodput, radio_world, satura
 from trident_benchmarks.links.silence import silence_line, silence_row
 from trident_benchmarks.links.station import station_line, station_row
 from trident_benchmarks.results import (
-    FAILED,
-    MEASURED,
     check_folder,
+    keep_rows,
+    limits_code,
     new_document,
     say,
-    write_document,
 )
 
 ADAPTIVE_LIMIT = 0.92  # of the best fixed rate
@@ -120,25 +120,45 @@ def load_row(load: Load, seconds: float) -> dict[str, Any]:
     }
 
 
+def _adaptive_rows(is_quick: bool) -> Iterator[dict[str, Any]]:
+    count = 8 if is_quick else 40
+    for i in range(count):
+        # From the nearest place that matters to the end of the reach, in equal ratios.
+        yield adaptive_row(40.0 * 60.0 ** (i / (count - 1)), is_quick)
+
+
+def _load_rows(is_quick: bool) -> Iterator[dict[str, Any]]:
+    for load in LOADS:
+        yield load_row(load, 5.0 if is_quick else 20.0)
+
+
+def _silence_rows(is_quick: bool) -> Iterator[dict[str, Any]]:
+    for vehicles in (1, 6):
+        seconds = (60.0 if is_quick else 1200.0) / vehicles
+        yield silence_row(vehicles, seconds, 5 if is_quick else 21)
+
+
+def _station_rows(is_quick: bool) -> Iterator[dict[str, Any]]:
+    for seed in range(1, (2 if is_quick else _COASTS) + 1):
+        yield station_row(seed)
+
+
+#: What measures the suites that need no ns-3, in order.
+_MAKERS = {
+    "adaptive": _adaptive_rows,
+    "cost": _load_rows,
+    "silence": _silence_rows,
+    "station": _station_rows,
+}
+
+
 def _rows(suites: Sequence[str], is_quick: bool) -> Iterator[dict[str, Any]]:
     if "per" in suites or "goodput" in suites:
         with ns3_peer() as peer:
             yield from _peer_rows(peer, suites, is_quick)
-    if "adaptive" in suites:
-        count = 8 if is_quick else 40
-        for i in range(count):
-            # From the nearest place that matters to the end of the reach, in equal ratios.
-            yield adaptive_row(40.0 * 60.0 ** (i / (count - 1)), is_quick)
-    if "cost" in suites:
-        for load in LOADS:
-            yield load_row(load, 5.0 if is_quick else 20.0)
-    if "silence" in suites:
-        for vehicles in (1, 6):
-            seconds = (60.0 if is_quick else 1200.0) / vehicles
-            yield silence_row(vehicles, seconds, 5 if is_quick else 21)
-    if "station" in suites:
-        for seed in range(1, (2 if is_quick else _COASTS) + 1):
-            yield station_row(seed)
+    for suite, make in _MAKERS.items():
+        if suite in suites:
+            yield from make(is_quick)
 
 
 def _peer_rows(peer: Ns3 | None, suites: Sequence[str], is_quick: bool) -> Iterator[dict[str, Any]]:
@@ -151,24 +171,32 @@ def _peer_rows(peer: Ns3 | None, suites: Sequence[str], is_quick: bool) -> Itera
 
 def line(row: dict[str, Any]) -> str:
     """A row as one line."""
-    verdict = "" if row["passed"] else " (limit missed)"
-    if row["suite"] == "per":
-        return per_line(row) + verdict
-    if row["suite"] == "goodput":
-        return goodput_line(row) + verdict
-    if row["suite"] == "adaptive":
-        share = "-" if row["share"] is None else f"{row['share']:.3f}"
-        return (
-            f"{row['distance_m']:.0f} m: {row['mbit_s']:.2f} Mbit/s, of the best {share}{verdict}"
-        )
     if row["suite"] == "station":
         return station_line(row)
-    if row["suite"] == "silence":
-        return silence_line(row) + verdict
+    verdict = "" if row["passed"] else " (limit missed)"
+    return _LINES[row["suite"]](row) + verdict
+
+
+def _adaptive_line(row: dict[str, Any]) -> str:
+    share = "-" if row["share"] is None else f"{row['share']:.3f}"
+    return f"{row['distance_m']:.0f} m: {row['mbit_s']:.2f} Mbit/s, of the best {share}"
+
+
+def _load_line(row: dict[str, Any]) -> str:
     return (
         f"{row['load']}: {row['cpu_s_per_s']:.4f} CPU s per simulated s (<= {row['limit']}),"
-        f" {row['received']} of {row['sent']} heard by one{verdict}"
+        f" {row['received']} of {row['sent']} heard by one"
     )
+
+
+#: A row as one line, but for its verdict.
+_LINES = {
+    "per": per_line,
+    "goodput": goodput_line,
+    "adaptive": _adaptive_line,
+    "silence": silence_line,
+    "cost": _load_line,
+}
 
 
 def measure(options: argparse.Namespace) -> int:
@@ -178,25 +206,27 @@ def measure(options: argparse.Namespace) -> int:
     check_folder(options.losses)
     check_folder(options.coast)
     document = new_document() | {"rows": []}
-    for row in _rows(options.suite or SUITES, options.quick):
-        document["rows"].append(row)
-        print(line(row), flush=True)
-        write_document(options.out, document)
+    keep_rows(_rows(options.suite or SUITES, options.quick), line, options.out, document)
     _draw(options, document["rows"])
-    return MEASURED if all(row["passed"] for row in document["rows"]) else FAILED
+    return limits_code(document)
 
 
 def _draw(options: argparse.Namespace, rows: list[dict[str, Any]]) -> None:
     from trident_benchmarks.links.picture import draw_coast, draw_goodput, draw_losses
 
-    distances = [row for row in rows if row["suite"] == "adaptive"]
-    if options.picture and distances:
-        draw_goodput(options.picture, distances)
-        say(f"written: {options.picture}")
-    losses = [row for row in rows if row["suite"] == "per"]
-    if options.losses and losses:
-        draw_losses(options.losses, losses)
-        say(f"written: {options.losses}")
+    _draw_rows(draw_goodput, options.picture, [row for row in rows if row["suite"] == "adaptive"])
+    _draw_rows(draw_losses, options.losses, [row for row in rows if row["suite"] == "per"])
     if options.coast:
         draw_coast(options.coast)
         say(f"written: {options.coast}")
+
+
+def _draw_rows(
+    draw: Callable[[Path, Sequence[dict[str, Any]]], None],
+    path: Path | None,
+    rows: Sequence[dict[str, Any]],
+) -> None:
+    """Draw rows if somebody wants a picture of them and there are some."""
+    if path and rows:
+        draw(path, rows)
+        say(f"written: {path}")

@@ -72,14 +72,8 @@ def draw_losses(path: Path, rows: Sequence[dict[str, Any]]) -> None:
     figure, panels = plt.subplots(
         len(widths), 1, figsize=(10.0, 3.0 * len(widths)), layout="constrained", squeeze=False
     )
-    marks = {1500: ("-", "o"), 100: ("--", "x")}
     for axes, width in zip(panels[:, 0], widths, strict=True):
-        for row in (row for row in rows if row["width"] == width):
-            style, mark = marks[row["bytes"]]
-            shade = plt.get_cmap("turbo")(row["mcs"] / 9.0)
-            label = f"MCS {row['mcs']}" if row["bytes"] == 1500 else None
-            axes.semilogy(*np.array(row["ns3_curve"]).T, style, color=shade, linewidth=1.0)
-            axes.semilogy(*np.array(row["curve"]).T, mark, color=shade, markersize=4, label=label)
+        _draw_losses_of(axes, [row for row in rows if row["width"] == width])
         axes.set_ylim(5e-3, 1.1)
         axes.set_xlim(-3.0, 28.0)
         axes.set_ylabel(f"loss, {width} MHz")
@@ -92,6 +86,19 @@ def draw_losses(path: Path, rows: Sequence[dict[str, Any]]) -> None:
     panels[-1, 0].set_xlabel("signal over noise [dB]")
     figure.savefig(path, dpi=110)
     plt.close(figure)
+
+
+def _draw_losses_of(axes: Any, rows: Sequence[dict[str, Any]]) -> None:
+    """The curves of one width of the channel."""
+    from matplotlib import pyplot as plt
+
+    marks = {1500: ("-", "o"), 100: ("--", "x")}
+    for row in rows:
+        style, mark = marks[row["bytes"]]
+        shade = plt.get_cmap("turbo")(row["mcs"] / 9.0)
+        label = f"MCS {row['mcs']}" if row["bytes"] == 1500 else None
+        axes.semilogy(*np.array(row["ns3_curve"]).T, style, color=shade, linewidth=1.0)
+        axes.semilogy(*np.array(row["curve"]).T, mark, color=shade, markersize=4, label=label)
 
 
 def coast_coverage(cells: int) -> dict[str, npt.NDArray[np.float64]]:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 from trident_fleet.core.base_station import BaseStation, Phase
-from trident_fleet.core.quintic import Motion
+from trident_fleet.core.quintic import Array, Motion
 from trident_fleet.core.station.config import PilotConfig, SearchConfig, StationConfig
 from trident_fleet.core.station.visits import Heard, Place
 
@@ -59,27 +59,48 @@ def fly(scene: StationScene, config: StationConfig = _CONFIG) -> Held:
     station = BaseStation(FENCE, config, np.array(HOME), list(LINKS))
     times = np.arange(_POINTS) * (_PERIOD_S / _POINTS)
     others = dict(zip(LINKS, map(np.array, scene.places), strict=True))
-    clearance_m, worst, reached_s = np.inf, [], None
+    judge = _Judge()
     for period in range(round((config.search.survey_s + config.search.refine_s + 120.0) / 0.1)):
         now_s = period * _PERIOD_S
         if period % _EACH == 0:
             position, snr = np.array(world.models[UAV].position), snr_of(world)
             places = {name: Place(place, now_s) for name, place in others.items()}
             station.decide(Heard(now_s, position, snr, places, None))
-            if station.phase not in (Phase.GROUND, Phase.TAKE_OFF):
-                clearance_m = min(clearance_m, float(FENCE.clearance(position[None])[0]))
-            is_there = float(np.linalg.norm(position - station.goal)) < 0.3
-            if station.phase is Phase.HOLD and (is_there or reached_s is not None):
-                reached_s = now_s if reached_s is None else reached_s
-                worst.append(min(snr.values()))
-            if reached_s is not None and now_s - reached_s >= _JUDGED_S + 2.0:
+            judge.look(station, position, min(snr.values()), now_s)
+            if judge.has_seen_enough(now_s):
                 break
         _command(world, station.period(times, _PERIOD_S), now_s)
         world.step_until(now_s + _PERIOD_S)
-    judged = worst[-round(_JUDGED_S / (_EACH * _PERIOD_S)) :]
-    held_db = float(np.mean(judged)) if judged else -np.inf
-    end_s = world.time if reached_s is None else reached_s
-    return Held(held_db, position.tolist(), end_s, clearance_m)
+    return judge.held(position, world.time)
+
+
+class _Judge:
+    """Follows a flight, decision by decision."""
+
+    def __init__(self) -> None:
+        self._clearance_m = np.inf
+        self._worst_db: list[float] = []
+        self._reached_s: float | None = None
+
+    def look(self, station: BaseStation, position: Array, worst_db: float, now_s: float) -> None:
+        """Take in where the UAV is after a decision, and the worst of its links there."""
+        if station.phase not in (Phase.GROUND, Phase.TAKE_OFF):
+            self._clearance_m = min(self._clearance_m, float(FENCE.clearance(position[None])[0]))
+        is_there = float(np.linalg.norm(position - station.goal)) < 0.3
+        if station.phase is Phase.HOLD and (is_there or self._reached_s is not None):
+            self._reached_s = now_s if self._reached_s is None else self._reached_s
+            self._worst_db.append(worst_db)
+
+    def has_seen_enough(self, now_s: float) -> bool:
+        """Whether the hover has lasted for as long as it is judged."""
+        return self._reached_s is not None and now_s - self._reached_s >= _JUDGED_S + 2.0
+
+    def held(self, position: Array, end_s: float) -> Held:
+        """What the flight ended with; `end_s` counts if no place was reached."""
+        judged = self._worst_db[-round(_JUDGED_S / (_EACH * _PERIOD_S)) :]
+        held_db = float(np.mean(judged)) if judged else -np.inf
+        reached_s = end_s if self._reached_s is None else self._reached_s
+        return Held(held_db, position.tolist(), reached_s, self._clearance_m)
 
 
 def _command(world: trident_sim.World, motion: Motion, now_s: float) -> None:

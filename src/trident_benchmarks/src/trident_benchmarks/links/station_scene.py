@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 from trident_fleet.core.station.fence import Fence
 from trident_worldgen.coast import CoastConfig, coast, coast_ground
+from trident_worldgen.terrain import Terrain
 
 import trident_sim
 
@@ -47,19 +48,27 @@ def station_scene(seed: int) -> StationScene:
     """A scene of a seed: the boat anywhere on the sea before the coast, the mast near the shore."""
     ground = coast_ground(CoastConfig(seed=seed))
     random = np.random.default_rng([seed, 0xBA5E])
+    x, y = _place_at_sea(ground, random)
+    boat = (float(x), float(y), _BOAT_M)
+    x, y = _place_on_shore(ground, random)
+    return StationScene(seed, (boat, (float(x), float(y), ground.height(x, y) + _MAST_M)))
+
+
+def _place_at_sea(ground: Terrain, random: np.random.Generator) -> tuple[float, float]:
     while True:
         x, y = random.uniform(-70.0, 90.0), random.uniform(-100.0, -10.0)
         # The moles are no ground; between them, and around them, is water.
         is_clear = y < -37.0 or 2.0 < x < 58.0 or x < -14.0 or x > 74.0
         if ground.height(x, y) < -1.0 and is_clear:
-            break
-    boat = (float(x), float(y), _BOAT_M)
+            return x, y
+
+
+def _place_on_shore(ground: Terrain, random: np.random.Generator) -> tuple[float, float]:
     while True:
         x, y = random.uniform(-60.0, 90.0), random.uniform(35.0, 75.0)
         is_in_shed = -13.0 < x < 13.0 and y < 47.0
         if 0.5 < ground.height(x, y) < 4.0 and not is_in_shed:
-            break
-    return StationScene(seed, (boat, (float(x), float(y), ground.height(x, y) + _MAST_M)))
+            return x, y
 
 
 def _world(scene: StationScene) -> trident_sim.World:

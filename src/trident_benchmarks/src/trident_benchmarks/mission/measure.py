@@ -20,7 +20,7 @@ from trident_eval.sweep.local_engine import LocalEngine
 from trident_eval.sweep.sweeping import Sweep
 
 from trident_benchmarks.mission.picture import draw_coverage
-from trident_benchmarks.results import FAILED, MEASURED, check_folder, new_document, write_document
+from trident_benchmarks.results import check_folder, limits_code, new_document, write_document
 
 _WORKERS = 2
 _SUBJECT = "trident_benchmarks.mission.subjects:fly"
@@ -122,16 +122,21 @@ def fly_case(case: Case, seeds: int, folder: Path) -> list[RunRow]:
 
 def by_seed(rows: Sequence[RunRow], metric: str) -> dict[int, float]:
     """A metric of the runs that have ended well."""
-    return {row.seed: row.metrics[metric] for row in rows if row.status == DONE}
+    return {row.seed: row.metrics[metric] for row in _done(rows)}
+
+
+def _done(rows: Sequence[RunRow]) -> list[RunRow]:
+    """The runs that have ended well."""
+    return [row for row in rows if row.status == DONE]
 
 
 def gains(own: dict[int, float], rivals: Sequence[dict[int, float]]) -> list[float]:
     """Of each coast, over the best rival there, less 1."""
-    seeds = [seed for seed in own if all(seed in rival for rival in rivals)]
     if not rivals:
         return []
-    best = {seed: max(rival[seed] for rival in rivals) for seed in seeds}
-    return [own[seed] / best[seed] - 1.0 for seed in seeds if best[seed] > 0.0]
+    common = set(own).intersection(*rivals)
+    best = {seed: max(rival[seed] for rival in rivals) for seed in common}
+    return [own[seed] / best[seed] - 1.0 for seed in own if best.get(seed, 0.0) > 0.0]
 
 
 def row_of(
@@ -144,25 +149,46 @@ def row_of(
         rows: its runs.
         flown: runs of the cases before it.
     """
-    done = [row for row in rows if row.status == DONE]
+    done = _done(rows)
     row: dict[str, Any] = case._asdict() | {"runs": len(rows), "failed": len(rows) - len(done)}
     if not done:
         return row | {"passed": False, "reason": rows[0].reason if rows else "no run"}
-    for name, _, _ in _METRICS:
-        found = estimate(list(by_seed(rows, name).values()))
-        row[name] = found.mean
-        if name in ("coverage", "efficiency", "found", "served"):
-            row[f"{name}_low"] = _low(found)
-    own = by_seed(rows, "efficiency")
-    for key, modes in (("efficiency_gain", _SINGLES), ("efficiency_gain_trio", _TRIOS)):
-        rivals = [by_seed(flown[Case(mode)], "efficiency") for mode in modes if Case(mode) in flown]
-        gained = gains(own, rivals) if len(rivals) == len(modes) else []
-        if gained and case.mode == "joint":
-            found = estimate(gained)
-            row |= {key: found.mean, f"{key}_low": _low(found)}
+    row |= _means(rows)
+    if case.mode == "joint":
+        row |= _gains(rows, flown)
     row["cpu_s"] = estimate([one.cpu_s for one in done]).mean
     row["missed"] = _missed(case, row)
-    return row | {"passed": row["failed"] == 0 and not row["missed"]}
+    return row | {"passed": not row["failed"] and not row["missed"]}
+
+
+def _means(rows: Sequence[RunRow]) -> dict[str, Any]:
+    """Of all metrics; of some also the lower ends of their intervals."""
+    means: dict[str, Any] = {}
+    for name, _, _ in _METRICS:
+        found = estimate(list(by_seed(rows, name).values()))
+        means[name] = found.mean
+        if name in ("coverage", "efficiency", "found", "served"):
+            means[f"{name}_low"] = _low(found)
+    return means
+
+
+def _gains(rows: Sequence[RunRow], flown: dict[Case, Sequence[RunRow]]) -> dict[str, Any]:
+    """What several kinds of robots gain over one kind, where all modes of that were flown."""
+    found: dict[str, Any] = {}
+    for key, modes in (("efficiency_gain", _SINGLES), ("efficiency_gain_trio", _TRIOS)):
+        gained = gains(by_seed(rows, "efficiency"), _rivals(modes, flown))
+        if gained:
+            gain = estimate(gained)
+            found |= {key: gain.mean, f"{key}_low": _low(gain)}
+    return found
+
+
+def _rivals(modes: Sequence[str], flown: dict[Case, Sequence[RunRow]]) -> list[dict[int, float]]:
+    """The efficiency of each mode by coast; empty unless all were flown."""
+    cases = [Case(mode) for mode in modes]
+    if not all(case in flown for case in cases):
+        return []
+    return [by_seed(flown[case], "efficiency") for case in cases]
 
 
 def _low(found: Estimate) -> float:
@@ -171,15 +197,21 @@ def _low(found: Estimate) -> float:
 
 def _missed(case: Case, row: dict[str, Any]) -> list[str]:
     """Which limits a row does not keep, with their values."""
+    least = _limits_of(case, row)
+    missed = [f"{key} at least {least[key]:g}" for key in least if not row[key] >= least[key]]
+    if case == Case("joint") and row["contacts"] > 0.0:
+        missed.append("contacts 0")
+    return missed
+
+
+def _limits_of(case: Case, row: dict[str, Any]) -> dict[str, float]:
+    """What the figures of a row are at least."""
     least: dict[str, float] = {}
     if case.mode in _SKETCH:
         least["efficiency"] = _SHARE_OF_SKETCH * _SKETCH[case.mode]
     if case == Case("joint"):
         least |= {key: goal for key, goal in _GOALS.items() if key in row}
-    missed = [f"{key} at least {least[key]:g}" for key in least if not row[key] >= least[key]]
-    if case == Case("joint") and row["contacts"] > 0.0:
-        missed.append("contacts 0")
-    return missed
+    return least
 
 
 def line(row: dict[str, Any]) -> str:
@@ -192,14 +224,18 @@ def line(row: dict[str, Any]) -> str:
         f"found {100 * row['found']:.1f} %, served {100 * row['served']:.1f} %, "
         f"value {row['value']:.1f} in {row['end_s']:.0f} s, {row['efficiency']:.2f} a minute"
     )
-    for key, rival in (("efficiency_gain", "best single"), ("efficiency_gain_trio", "best trio")):
-        if key in row:
-            text += (
-                f", {100 * row[key]:+.0f} % (from {100 * row[f'{key}_low']:+.0f}) over the {rival}"
-            )
-    text += f"; {row['cpu_s']:.1f} CPU s a run"
+    text += f"{_gains_text(row)}; {row['cpu_s']:.1f} CPU s a run"
     missed = row["missed"] or ([] if row["passed"] else ["no failed run"])
     return text + (f" (missed: {', '.join(missed)})" if missed else "")
+
+
+def _gains_text(row: dict[str, Any]) -> str:
+    rivals = (("efficiency_gain", "best single"), ("efficiency_gain_trio", "best trio"))
+    return "".join(
+        f", {100 * row[key]:+.0f} % (from {100 * row[f'{key}_low']:+.0f}) over the {rival}"
+        for key, rival in rivals
+        if key in row
+    )
 
 
 def measure(options: argparse.Namespace) -> int:
@@ -219,4 +255,4 @@ def measure(options: argparse.Namespace) -> int:
     if options.picture:
         curves = {case.mode: flown[case] for case in flown if case == Case(case.mode)}
         draw_coverage(options.picture, curves)
-    return MEASURED if all(row["passed"] for row in document["rows"]) else FAILED
+    return limits_code(document)

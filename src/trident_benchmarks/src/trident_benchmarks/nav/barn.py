@@ -146,14 +146,8 @@ def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
     fields = find_fields(options)
     if not fields:
         return []
-    seeds = range(1, 1 + (options.seeds or (_QUICK_SEEDS if options.quick else _SEEDS)))
     with tempfile.TemporaryDirectory(prefix="trident_bench_barn_") as name:
-        parameters = [*_parameters(options, Path(name)), *options.config]
-        if options.ros:
-            outcomes = _run_over_ros(fields, parameters, seeds)
-        else:
-            trials = Trials(JACKAL, parameters, options.jobs)
-            outcomes = trials.run([task_of(field) for field in fields], seeds, _report)
+        outcomes = _drive(fields, options, Path(name))
     row = row_of(fields, outcomes) | {"system": _system(options)}
     print(table([row, *RIVALS]))
     if options.picture is not None:
@@ -161,6 +155,18 @@ def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
 
         draw_fields(options.picture, fields, outcomes)
     return [row]
+
+
+def _drive(
+    fields: Sequence[Field], options: argparse.Namespace, folder: Path
+) -> Sequence[Sequence[Outcome]]:
+    """All runs in all worlds."""
+    seeds = range(1, 1 + (options.seeds or (_QUICK_SEEDS if options.quick else _SEEDS)))
+    parameters = [*_parameters(options, folder), *options.config]
+    if options.ros:
+        return _run_over_ros(fields, parameters, seeds)
+    trials = Trials(JACKAL, parameters, options.jobs)
+    return trials.run([task_of(field) for field in fields], seeds, _report)
 
 
 def _run_over_ros(

@@ -181,6 +181,10 @@ class Drive:
         if self._is_lockstep:
             self._begin_time()
             self._last_goal = (x, y, yaw)
+        return self._client()
+
+    def _client(self) -> actionlib.SimpleActionClient:
+        """That of move_base, once that is there and the robot's true pose is known."""
         client = actionlib.SimpleActionClient("move_base", MoveBaseAction)
         if not client.wait_for_server(rospy.Duration.from_sec(_START_LIMIT_S)):
             raise EvalError("move_base has not come")

@@ -43,6 +43,12 @@ def _hears(topic: str) -> bool:
         return False
 
 
+def _wait_for_readers(goals: rospy.Publisher, topic: str) -> None:
+    """Return when move_base hears goals and the world's scans."""
+    while not rospy.is_shutdown() and not (goals.get_num_connections() and _hears(topic)):
+        time.sleep(_POLL_S)  # of wall time: the world stands
+
+
 def main() -> int:
     """Send the goal.
 
@@ -61,8 +67,7 @@ def main() -> int:
 
     rospy.Subscriber("move_base/result", MoveBaseActionResult, receive)
     goals = rospy.Publisher("move_base/goal", MoveBaseActionGoal, queue_size=1, latch=True)
-    while not rospy.is_shutdown() and not (goals.get_num_connections() and _hears(topic)):
-        time.sleep(_POLL_S)  # of wall time: the world stands
+    _wait_for_readers(goals, topic)
     goals.publish(message(frame, x, y, yaw))
     rospy.ServiceProxy("/gazebo/unpause_physics", Empty)()
     while not rospy.is_shutdown() and not has_ended.wait(_POLL_S):

@@ -41,10 +41,14 @@ def launch_parameters(
     # It also ends with 0 where a file cannot be read: then parameters are no map.
     parameters = _parsed(done.stdout) if done.returncode == 0 else None
     if not isinstance(parameters, dict):
-        lines = [line for line in done.stderr.splitlines() + done.stdout.splitlines() if line]
-        said = next((line for line in lines if _CAUSE.search(line)), "no parameters")
-        raise EvalError(f"roslaunch {' '.join(words)}: {said}")
+        raise EvalError(f"roslaunch {' '.join(words)}: {_cause(done)}")
     return nested(parameters)
+
+
+def _cause(done: subprocess.CompletedProcess[str]) -> str:
+    """Why there are no parameters."""
+    lines = [line for line in done.stderr.splitlines() + done.stdout.splitlines() if line]
+    return next((line for line in lines if _CAUSE.search(line)), "no parameters")
 
 
 def _parsed(text: str) -> object:

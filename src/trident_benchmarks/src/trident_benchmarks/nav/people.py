@@ -102,31 +102,49 @@ def crossings(
 def row_of(system: str, runs: Sequence[dict[str, Any]]) -> dict[str, Any]:
     """What the crossings of one configuration came to."""
     arrived = [run for run in runs if run["has_arrived"] and not run["wall"]]
-    touches = [touch for run in runs for touch in run["touches"]]
-    # What somebody pushes is not driving by itself.
-    speeds = [touch["own_speed_m_s"] for touch in touches if not touch["is_pushed"]]
-    pushed = [touch["own_speed_m_s"] for touch in touches if touch["is_pushed"]]
+    times_s = [run["time_s"] for run in arrived]
     share = len(arrived) / len(runs)
-    fastest = max(speeds, default=0.0)
-    driven_s = sum(run["time_s"] for run in runs)
+    touches = _touch_figures(runs)
     return {
         "suite": "people",
         "system": system,
         "crossings": len(runs),
         "arrived": share,
         "arrived_limit": ARRIVED_LIMIT,
+        **touches,
+        "mean_time_s": statistics.fmean(times_s) if times_s else None,
+        "recoveries": _sum(runs, "recoveries"),
+        "cpu_s_per_s": _sum(runs, "navigation_cpu_s") / _sum(runs, "time_s"),
+        "unit": "arrived: 1; fastest_own: m/s towards whom it touches; mean_time: s",
+        "passed": share >= ARRIVED_LIMIT and touches["fastest_own_m_s"] <= SPEED_LIMIT_M_S,
+        "failures": _failures(runs, arrived),
+    }
+
+
+def _failures(runs: Sequence[dict[str, Any]], arrived: Sequence[dict[str, Any]]) -> list[Any]:
+    return [_failure(run) for run in runs if run not in arrived]
+
+
+def _sum(runs: Sequence[dict[str, Any]], key: str) -> Any:
+    return sum(run[key] for run in runs)
+
+
+def _own_speeds(touches: Sequence[dict[str, Any]], is_pushed: bool) -> list[float]:
+    return [touch["own_speed_m_s"] for touch in touches if bool(touch["is_pushed"]) is is_pushed]
+
+
+def _touch_figures(runs: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """How often walkers were touched, and how fast the robot drove then."""
+    touches = [touch for run in runs for touch in run["touches"]]
+    # What somebody pushes is not driving by itself.
+    speeds, pushed = _own_speeds(touches, False), _own_speeds(touches, True)
+    return {
         "touches": len(touches),
         "touches_while_pushed": len(pushed),
         "fastest_while_pushed_m_s": max(pushed, default=0.0),
-        "fastest_own_m_s": fastest,
+        "fastest_own_m_s": max(speeds, default=0.0),
         "own_limit_m_s": SPEED_LIMIT_M_S,
         "touches_beyond_limit": sum(speed > SPEED_LIMIT_M_S for speed in speeds),
-        "mean_time_s": statistics.fmean(r["time_s"] for r in arrived) if arrived else None,
-        "recoveries": sum(run["recoveries"] for run in runs),
-        "cpu_s_per_s": sum(run["navigation_cpu_s"] for run in runs) / driven_s,
-        "unit": "arrived: 1; fastest_own: m/s towards whom it touches; mean_time: s",
-        "passed": share >= ARRIVED_LIMIT and fastest <= SPEED_LIMIT_M_S,
-        "failures": [_failure(run) for run in runs if run not in arrived],
     }
 
 

@@ -266,18 +266,23 @@ def drive_scene(
         EvalError: a run could not be made.
     """
     drawn = [task_of(scene, seed) for seed in seeds]
-    parameters = default_parameters(scene.robot)
-    if scene.robot is BOX:
-        parameters[-1] = limits_file(folder)
-    limits = RobotLimits(parameters[-1])
-    if scene.limits:
-        over = folder / "limits.yaml"
-        over.write_text(scene.limits, encoding="utf-8")
-        parameters.append(over)
+    own, over = _parameters(scene, folder)
+    limits, parameters = RobotLimits(own[-1]), [*own, *over]
     trials = Trials(scene.robot, [*parameters, *options.config], options.jobs)
     outcomes = trials.run([task for task, _ in drawn], [1], _report)
     runs = [judged(run, limits) for one in outcomes for run in one]
     return runs, [scenery for _, scenery in drawn]
+
+
+def _parameters(scene: Scene, folder: Path) -> tuple[list[Path], list[Path]]:
+    """Files of the robot, the last one with its limits; and those that the scene has instead."""
+    own, over = default_parameters(scene.robot), list[Path]()
+    if scene.robot is BOX:
+        own[-1] = limits_file(folder)
+    if scene.limits:
+        over = [folder / "limits.yaml"]
+        over[0].write_text(scene.limits, encoding="utf-8")
+    return own, over
 
 
 def _report(task: Task, runs: list[Outcome]) -> None:
@@ -286,6 +291,11 @@ def _report(task: Task, runs: list[Outcome]) -> None:
         say(f"{task.name}: {run.end} {run.time_s:.1f} s, off by {off_m:.3f} m {run.text}")
         for text in run.recoveries:
             say(f"  recovery {text}")
+
+
+def _chosen_scenes(options: argparse.Namespace) -> list[Scene]:
+    asked = chosen_robots(options.robot, [(scene.robot, scene) for scene in SCENES])
+    return [scene for _, scene in asked if not options.scene or scene.name in options.scene]
 
 
 def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
@@ -298,12 +308,10 @@ def measure(options: argparse.Namespace) -> list[dict[str, Any]]:
         EvalError: a run could not be made.
     """
     seeds = range(1, 1 + (options.seeds or (_QUICK_SEEDS if options.quick else _SEEDS)))
-    asked = chosen_robots(options.robot, [(scene.robot, scene) for scene in SCENES])
     rows, drawn = [], []
+    asked = _chosen_scenes(options)
     with tempfile.TemporaryDirectory(prefix="trident_bench_tight_") as name:
-        for _, scene in asked:
-            if options.scene and scene.name not in options.scene:
-                continue
+        for scene in asked:
             runs, sceneries = drive_scene(scene, seeds, options, Path(name))
             rows.append(row_of(scene, runs))
             drawn.append((scene, sceneries, runs))

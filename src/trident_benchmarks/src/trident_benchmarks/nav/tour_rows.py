@@ -69,11 +69,15 @@ def is_reached(goal: GoalOutcome, limits: RobotLimits) -> bool:
     )
 
 
+def _goals(runs: Sequence[Outcome]) -> list[GoalOutcome]:
+    return [goal for run in runs for goal in run.goals]
+
+
 def _time_ratios(
     limits: RobotLimits, tours: Sequence[Tour], runs: Sequence[Outcome]
 ) -> list[float]:
     """Times of the goals that were reached, over their lower bounds."""
-    goals = [goal for run in runs for goal in run.goals]
+    goals = _goals(runs)
     bounds = [bound for tour in tours for bound in tour.bounds_s]
     return [
         goal.time_s / bound
@@ -96,28 +100,45 @@ def row_of(
     suite: str, driver: Driver, tours: Sequence[Tour], runs: Sequence[Outcome]
 ) -> dict[str, Any]:
     """What came of all goals of a robot."""
-    limits = driver.limits
-    goals = [goal for run in runs for goal in run.goals]
+    limits, goals = driver.limits, _goals(runs)
     ratios = _time_ratios(limits, tours, runs)
-    driven_s = sum(goal.time_s for goal in goals)
     return {
         "suite": suite,
         "robot": driver.robot.name,
+        **_counts(goals, limits),
+        "time_over_bound": float(np.median(ratios)) if ratios else None,
+        **_goal_errors(goals),
+        "localization_error_m": max(run.localization_error_m for run in runs),
+        "cpu_s_per_s": _cpu_s_per_s(runs),
+        "failures": _failures(limits, runs),
+        "recovery_causes": [text for run in runs for text in run.recoveries],
+        "unit": "time_over_bound: 1 (median); cpu_s_per_s: CPU s per simulated s",
+    }
+
+
+def _counts(goals: Sequence[GoalOutcome], limits: RobotLimits) -> dict[str, Any]:
+    return {
         "goals": len(goals),
         "reached": sum(is_reached(goal, limits) for goal in goals),
         "contacts": sum(bool(goal.touched) for goal in goals),
         "touched": sorted({goal.touched for goal in goals if goal.touched}),
         "recoveries": sum(goal.recoveries for goal in goals),
-        "time_over_bound": float(np.median(ratios)) if ratios else None,
+    }
+
+
+def _goal_errors(goals: Sequence[GoalOutcome]) -> dict[str, Any]:
+    """How far from its goals the robot stands, and how often move_base says that it is there."""
+    return {
         "position_error_m": float(np.median([goal.position_error_m for goal in goals])),
         "heading_error_rad": float(np.median([goal.heading_error_rad for goal in goals])),
         "said_reached": sum(goal.end == "reached" for goal in goals),
-        "localization_error_m": max(run.localization_error_m for run in runs),
-        "cpu_s_per_s": sum(run.cpu_s for run in runs) / driven_s if driven_s else None,
-        "failures": _failures(limits, runs),
-        "recovery_causes": [text for run in runs for text in run.recoveries],
-        "unit": "time_over_bound: 1 (median); cpu_s_per_s: CPU s per simulated s",
     }
+
+
+def _cpu_s_per_s(runs: Sequence[Outcome]) -> float | None:
+    """CPU time per simulated second; None: nothing was driven."""
+    driven_s = sum(goal.time_s for goal in _goals(runs))
+    return sum(run.cpu_s for run in runs) / driven_s if driven_s else None
 
 
 def table(rows: Sequence[dict[str, Any]]) -> str:
@@ -153,11 +174,15 @@ def report(limits: RobotLimits, task: Task, runs: list[Outcome]) -> None:
             f" recoveries {len(run.recoveries)}, localization off by up to"
             f" {run.localization_error_m:.3f} m"
         )
-        for number, goal in enumerate(run.goals, 1):
-            if not is_reached(goal, limits) or goal.touched:
-                say(f"  goal {number}: {_words(goal)}")
+        _say_failures(limits, run)
         for text in run.recoveries:
             say(f"  recovery {text}")
+
+
+def _say_failures(limits: RobotLimits, run: Outcome) -> None:
+    for number, goal in enumerate(run.goals, 1):
+        if not is_reached(goal, limits) or goal.touched:
+            say(f"  goal {number}: {_words(goal)}")
 
 
 def _words(goal: GoalOutcome) -> str:

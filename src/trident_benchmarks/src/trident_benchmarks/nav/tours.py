@@ -171,6 +171,15 @@ def chosen_robots(
     return [(robot, more) for robot, more in robots if not names or robot.name in names]
 
 
+def _seeds(options: argparse.Namespace) -> range:
+    many = options.seeds or (_QUICK_SEEDS if options.quick else _SEEDS)
+    return range(options.first_seed, options.first_seed + many)
+
+
+def _goal_count(course: Course, options: argparse.Namespace) -> int:
+    return options.goals or (course.quick_goals if options.quick else course.goals)
+
+
 def drive_robot(
     course: Course, driver: Driver, building: Building, options: argparse.Namespace
 ) -> tuple[dict[str, Any], list[Outcome], OccupancyMap]:
@@ -182,14 +191,12 @@ def drive_robot(
     Raises:
         EvalError: a run could not be made.
     """
-    many = options.seeds or (_QUICK_SEEDS if options.quick else _SEEDS)
-    seeds = range(options.first_seed, options.first_seed + many)
-    count = options.goals or (course.quick_goals if options.quick else course.goals)
+    seeds = _seeds(options)
     limits = driver.limits
     grid = true_map(building.world, driver.heights, course.home)
     places = Places(grid, limits.inscribed_m, limits.circumscribed_m + _SPARE_M)
     first = options.first_goal
-    all_goals = first - 1 + count
+    all_goals = first - 1 + _goal_count(course, options)
     tours = [make_tour(places, limits, course.home, seed, all_goals).since(first) for seed in seeds]
     tasks = [
         task_of(driver.robot, building, tour, seed, limits)

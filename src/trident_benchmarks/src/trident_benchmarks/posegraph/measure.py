@@ -237,8 +237,11 @@ def chosen_files(given: list[Path]) -> list[Path]:
     Raises:
         EvalError: the folder has none.
     """
-    if given:
-        return given
+    return given or _known_files()
+
+
+def _known_files() -> list[Path]:
+    """Those of the folder of data."""
     data = os.environ.get("TRIDENT_DATA")
     if not data:
         raise EvalError("bench posegraph: name g2o files, or the folder of data in TRIDENT_DATA")
@@ -261,12 +264,8 @@ def measure(options: argparse.Namespace) -> int:
     if python is None:
         print("GTSAM is not installed: .venv/bin/pip install -r tools/requirements-bench.txt")
     runs = 1 if options.quick else max(1, options.runs)
-    rows = []
-    for file in files:
-        rows.append(measure_file(file, runs, python))
-        print(f"{rows[-1]['name']}: done", file=sys.stderr, flush=True)
-    grown = files if options.files else [file for file in files if _is_grown(file)]
-    growing = [measure_growing(file, runs, python) for file in grown]
+    rows = _measure_files(files, runs, python)
+    growing = [measure_growing(file, runs, python) for file in options.files or _grown(files)]
     print(table(rows))
     print(growing_table(growing))
     print(
@@ -277,12 +276,24 @@ def measure(options: argparse.Namespace) -> int:
         options.out.write_text(
             json.dumps({"rows": rows, "growing": growing}, indent=1) + "\n", encoding="utf-8"
         )
-    return 0 if all(map(_is_good, rows)) and all(row["is_good"] for row in growing) else 1
+    return 0 if _are_good(rows, growing) else 1
 
 
-def _is_grown(file: Path) -> bool:
-    """Whether its vertices are added one after the other, too."""
-    return file.name.partition(".")[0] in GROWING
+def _measure_files(files: list[Path], runs: int, python: str | None) -> list[dict[str, Any]]:
+    rows = []
+    for file in files:
+        rows.append(measure_file(file, runs, python))
+        print(f"{rows[-1]['name']}: done", file=sys.stderr, flush=True)
+    return rows
+
+
+def _grown(files: list[Path]) -> list[Path]:
+    """Those whose vertices are added one after the other, too."""
+    return [file for file in files if file.name.partition(".")[0] in GROWING]
+
+
+def _are_good(rows: list[dict[str, Any]], growing: list[dict[str, Any]]) -> bool:
+    return all(map(_is_good, rows)) and all(row["is_good"] for row in growing)
 
 
 def _is_good(row: dict[str, Any]) -> bool:

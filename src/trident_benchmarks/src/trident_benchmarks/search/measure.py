@@ -20,7 +20,7 @@ from trident_fleet.core.search.planners.base import lower_bound
 from trident_fleet.core.search.samples import of_three_kinds, random_map
 from trident_fleet.core.search.shares import balanced_shares
 
-from trident_benchmarks.results import FAILED, MEASURED, check_folder, new_document, write_document
+from trident_benchmarks.results import check_folder, keep_rows, limits_code, new_document
 
 _TRIALS = 20_000  # fewer are farther from the model than the limit by chance
 _MAPS = 200
@@ -157,9 +157,5 @@ def measure(options: argparse.Namespace) -> int:
         lambda: detection_row(_TRIALS),
     ]
     document = new_document() | {"rows": []}
-    for make in rows:
-        row = make()
-        print(line(row), flush=True)
-        document["rows"].append(row)
-        write_document(options.out, document)
-    return MEASURED if all(row["passed"] for row in document["rows"]) else FAILED
+    keep_rows((make() for make in rows), line, options.out, document)
+    return limits_code(document)

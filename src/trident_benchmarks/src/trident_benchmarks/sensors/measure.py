@@ -12,8 +12,8 @@ from trident_eval.core.errors import EvalError
 
 from trident_benchmarks.results import (
     FAILED,
-    MEASURED,
     check_folder,
+    errors_code,
     measure_case,
     measure_cases,
     new_document,
@@ -40,7 +40,7 @@ def measure(options: argparse.Namespace) -> int:
         _print(document, together)
     if together and not coast.is_sound(together):
         return FAILED
-    return FAILED if any("error" in row for row in document["rows"]) else MEASURED
+    return errors_code(document)
 
 
 def _print(document: dict[str, Any], together: dict[str, Any] | None) -> None:

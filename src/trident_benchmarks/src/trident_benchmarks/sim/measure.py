@@ -16,6 +16,7 @@ from trident_benchmarks.results import (
     FAILED,
     MEASURED,
     check_folder,
+    errors_code,
     measure_cases,
     new_document,
     say,
@@ -93,7 +94,7 @@ def measure(options: argparse.Namespace) -> int:
     document["same_flight"] = {str(n): same for n, same in same_flight(document["rows"]).items()}
     write_document(options.out, document)
     _show(document, options)
-    return FAILED if any("error" in row for row in document["rows"]) else MEASURED
+    return errors_code(document)
 
 
 def _show(document: dict[str, Any], options: argparse.Namespace) -> None:

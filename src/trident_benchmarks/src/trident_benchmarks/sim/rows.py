@@ -126,11 +126,18 @@ def summarize(plan: Plan, results: Sequence[Mapping[str, Any]]) -> dict[str, Any
     for key in MEASURES:
         row[key] = _median(key, results)
     row["rtf_all"] = [result.get("rtf") for result in results]
-    hashes = [result["state_hash"] for result in results if result.get("state_hash")]
-    row["state_hash"] = hashes[0] if len(set(hashes)) == 1 else None
-    row["repeatable"] = len(set(hashes)) == 1 if len(hashes) > 1 else None
+    row |= _repeatability(results)
     row["runs"] = len(results)
     return row | _details(results[-1])
+
+
+def _repeatability(results: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """The hash of the state in which all runs have ended, and whether they have ended in one."""
+    hashes = [result["state_hash"] for result in results if result.get("state_hash")]
+    return {
+        "state_hash": hashes[0] if len(set(hashes)) == 1 else None,
+        "repeatable": len(set(hashes)) == 1 if len(hashes) > 1 else None,
+    }
 
 
 def _details(result: Mapping[str, Any]) -> dict[str, Any]:

@@ -135,21 +135,25 @@ def plan(folder: Path, methods: Sequence[str], runs: int, quick: bool) -> list[P
         runs: of the methods that were named, or of the default one.
         quick: only logs that have relations.
     """
+    has_others = not methods and not quick
     counts = dict.fromkeys(methods or [DEFAULT_METHOD], runs)
-    if not methods and not quick:
-        counts |= dict.fromkeys(OTHER_METHODS, 1)
+    counts |= dict.fromkeys(OTHER_METHODS if has_others else (), 1)
     plans = []
     for name, log in logs_of(folder).items():
         known = _relations_of(folder, name)
         if known or not quick:
             plans += _plans_with_odometry(log, name, known, counts)
-    if not methods and not quick:
+    if has_others:
         plans += _plans_by_scans_alone(folder)
-    landmarks = folder.parent / _LANDMARK_LOG
-    if LANDMARK_METHOD in counts and landmarks.is_file():
-        name = landmarks.name.removesuffix(".txt")
-        plans.append(Plan(landmarks, name, None, LANDMARK_METHOD, counts[LANDMARK_METHOD]))
-    return plans
+    return plans + _plans_with_landmarks(folder, counts)
+
+
+def _plans_with_landmarks(folder: Path, counts: dict[str, int]) -> list[Plan]:
+    log = folder.parent / _LANDMARK_LOG
+    if LANDMARK_METHOD not in counts or not log.is_file():
+        return []
+    name = log.name.removesuffix(".txt")
+    return [Plan(log, name, None, LANDMARK_METHOD, counts[LANDMARK_METHOD])]
 
 
 def _relations_of(folder: Path, name: str) -> Path | None:
@@ -164,25 +168,10 @@ def measure(
 
     With `pictures`, its report goes into a folder of that one, named by log and method.
     """
-    results = []
     with tempfile.TemporaryDirectory(prefix="trident_bench_slam_") as folder:
         out = Path(folder)
-        for number in range(1, one.runs + 1):
-            words = () if one.has_odometry else ("--no-odometry",)
-            timing = run_log(Run(one.log, one.method, out, config, words), show=False)
-            results.append(timing)
-            say(f"{one.name} {one.system} run {number}/{one.runs}: {timing['cpu_s']:.2f} CPU s")
-        row: dict[str, Any] = {
-            "log": one.name,
-            "method": one.method,
-            "has_odometry": one.has_odometry,
-            "system": one.system,
-            "runs": one.runs,
-            "scans": results[0]["scans"],
-            "cpu_s": statistics.median(result["cpu_s"] for result in results),
-            "cpu_s_range": [f(result["cpu_s"] for result in results) for f in (min, max)],
-            "peak_rss_mb": statistics.median(result["peak_rss_mb"] for result in results),
-        }
+        results = _run_all(one, config, out, say)
+        row = _costs(one, results)
         if one.method == LANDMARK_METHOD:
             names = ("observations", "association_share", "true_landmarks", "landmarks")
             return row | {name: results[0][name] for name in names}
@@ -192,6 +181,34 @@ def measure(
             folder_name = f"{one.name}_{one.system.replace(', no ', '_without_')}"
             evaluation.write(found, pictures / folder_name, f"{one.name}")
     return row | found.summary()
+
+
+def _run_all(
+    one: Plan, config: Path | None, out: Path, say: Callable[[str], None]
+) -> list[dict[str, Any]]:
+    """What all runs of a row have cost; the files are those of the last one."""
+    results = []
+    words = () if one.has_odometry else ("--no-odometry",)
+    for number in range(1, one.runs + 1):
+        timing = run_log(Run(one.log, one.method, out, config, words), show=False)
+        results.append(timing)
+        say(f"{one.name} {one.system} run {number}/{one.runs}: {timing['cpu_s']:.2f} CPU s")
+    return results
+
+
+def _costs(one: Plan, results: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    cpu_s = [result["cpu_s"] for result in results]
+    return {
+        "log": one.name,
+        "method": one.method,
+        "has_odometry": one.has_odometry,
+        "system": one.system,
+        "runs": one.runs,
+        "scans": results[0]["scans"],
+        "cpu_s": statistics.median(cpu_s),
+        "cpu_s_range": [min(cpu_s), max(cpu_s)],
+        "peak_rss_mb": statistics.median(result["peak_rss_mb"] for result in results),
+    }
 
 
 def table(rows: Sequence[dict[str, Any]]) -> str:

@@ -19,7 +19,7 @@ from trident_eval.sweep.engine import Engine
 from trident_eval.sweep.local_engine import LocalEngine
 from trident_eval.sweep.sweeping import Sweep
 
-from trident_benchmarks.results import FAILED, MEASURED, check_folder, new_document, write_document
+from trident_benchmarks.results import check_folder, limits_code, new_document, write_document
 
 _WORKERS = 2
 _GAINS = 10
@@ -132,4 +132,4 @@ def measure(options: argparse.Namespace) -> int:
         print(line(result), flush=True)
         document["rows"].append(result)
         write_document(options.out, document)
-    return MEASURED if all(row["passed"] for row in document["rows"]) else FAILED
+    return limits_code(document)

@@ -18,6 +18,7 @@ from trident_fleet.core.tasks.plan import Objective
 from trident_fleet.core.tasks.trials.exact import exact
 from trident_fleet.core.tasks.trials.instances import Instance, random_instance, some_instances
 
+from trident_benchmarks.results import keeps
 from trident_benchmarks.tasks.table import INSTANCES, SECONDS, Table
 
 # Limits: of gaps over a yardstick as shares, of CPU time, of messages for each task.
@@ -26,6 +27,8 @@ LARGE_CPU_S, MESSAGES = 1.5, 40.0
 
 _MANY_EACH = [name for name, method in METHODS.items() if not method.one_each]
 _ONE_EACH = ["auction", "plain", "nearest"]
+#: What an objective counts of an allocation.
+_COLUMNS = {Objective.SUM: "length_m", Objective.MAKESPAN: "finish_s"}
 
 
 def gaps_row(
@@ -49,44 +52,52 @@ def gaps_row(
         **figures,
         "gaps": [round(gap, 6) for gap in gaps],
         "limits": limits,
-        "passed": all(figures[name] <= limit for name, limit in limits.items()),
+        "passed": keeps(figures, limits),
         **more,
     }
 
 
 def against_table(table: Table, objective: Objective, quick: bool) -> list[dict[str, Any]]:
     """All methods against OR-tools' values, or the default one where the last finish counts."""
-    column = "length_m" if objective is Objective.SUM else "finish_s"
-    cases = [
-        (made, float(row[column]))
+    cases = _known_cases(table, objective)[: 4 if quick else None]
+    names = _MANY_EACH if objective is Objective.SUM else [DEFAULT]
+    return [_against_values(cases, name, objective) for name in names] if cases else []
+
+
+def _known_cases(table: Table, objective: Objective) -> list[tuple[Instance, float]]:
+    """The instances of the table with their values."""
+    return [
+        (made, float(row[_COLUMNS[objective]]))
         for made in some_instances(INSTANCES)
         if (row := table.get((made.name, objective.value))) is not None
     ]
-    cases = cases[:4] if quick else cases
-    rows = []
-    for name in _MANY_EACH if objective is Objective.SUM else [DEFAULT]:
-        found = [allocate(made.robots, made.tasks, METHODS[name], objective) for made, _ in cases]
-        gaps = [
-            getattr(one, column) / value - 1.0 for one, (_, value) in zip(found, cases, strict=True)
-        ]
-        limits = {"mean": MEAN_GAP, "worst": WORST_GAP} if name == DEFAULT else {}
-        limits = limits if objective is Objective.SUM else {"mean": MAKESPAN_GAP}
-        messages = [
-            one.messages / len(made.tasks) for one, (made, _) in zip(found, cases, strict=True)
-        ]
-        what = f"{objective.value} over OR-tools at {SECONDS:.0f} s"
-        if cases:
-            rows.append(
-                gaps_row(
-                    what,
-                    name,
-                    gaps,
-                    limits,
-                    messages_per_task=float(max(messages)),
-                    of_instances=INSTANCES,
-                )
-            )
-    return rows
+
+
+def _against_values(
+    cases: Sequence[tuple[Instance, float]], name: str, objective: Objective
+) -> dict[str, Any]:
+    """One method against the known value of each instance."""
+    found = [allocate(made.robots, made.tasks, METHODS[name], objective) for made, _ in cases]
+    gaps = [
+        getattr(one, _COLUMNS[objective]) / value - 1.0
+        for one, (_, value) in zip(found, cases, strict=True)
+    ]
+    messages = [one.messages / len(made.tasks) for one, (made, _) in zip(found, cases, strict=True)]
+    return gaps_row(
+        f"{objective.value} over OR-tools at {SECONDS:.0f} s",
+        name,
+        gaps,
+        _limits(name, objective),
+        messages_per_task=float(max(messages)),
+        of_instances=INSTANCES,
+    )
+
+
+def _limits(name: str, objective: Objective) -> dict[str, float]:
+    """Of the gaps of a method over OR-tools."""
+    if objective is not Objective.SUM:
+        return {"mean": MAKESPAN_GAP}
+    return {"mean": MEAN_GAP, "worst": WORST_GAP} if name == DEFAULT else {}
 
 
 def against_exact(count: int) -> list[dict[str, Any]]:
@@ -107,23 +118,23 @@ def against_exact(count: int) -> list[dict[str, Any]]:
 
 def against_hungarian(count: int) -> list[dict[str, Any]]:
     """As many robots as tasks, one for each, against the Hungarian method."""
-    cases = []
-    for seed in range(count):
-        size = Random(f"one each {seed}").randint(3, 30)
-        made = random_instance(size, size, seed)
-        cost = np.array(
-            [
-                [math.dist(place, task.place) for task in made.tasks]
-                for _, place in made.robots.values()
-            ]
-        )
-        cases.append((made, float(cost[cheapest_pairs(cost)].sum())))
+    cases = [_paired_case(seed) for seed in range(count)]
     rows = []
     for name in _ONE_EACH:
         gaps = [_one_each(made, name) / best - 1.0 for made, best in cases]
         limits = {"worst": ONE_EACH_GAP} if name == "auction" else {}
         rows.append(gaps_row("one task each over the Hungarian method", name, gaps, limits))
     return rows
+
+
+def _paired_case(seed: int) -> tuple[Instance, float]:
+    """An instance, and the least length of all paths by one task for each robot [m]."""
+    size = Random(f"one each {seed}").randint(3, 30)
+    made = random_instance(size, size, seed)
+    cost = np.array(
+        [[math.dist(place, task.place) for task in made.tasks] for _, place in made.robots.values()]
+    )
+    return made, float(cost[cheapest_pairs(cost)].sum())
 
 
 def _one_each(made: Instance, name: str) -> float:

@@ -15,6 +15,8 @@ from trident_fleet.core.tasks.methods import DEFAULT
 from trident_fleet.core.tasks.trials.invariants import BrokenError
 from trident_fleet.core.tasks.trials.scenes import Scene, asked_scene, hard_day
 
+from trident_benchmarks.results import keeps
+
 RATIO = 3.0  # limit of the finish over that of the same day without any loss or death
 ROBOTS, TASKS, WORK_S = 5, 20, 6.0
 _UNTIL_S = 600.0
@@ -44,24 +46,48 @@ class Day:
     broken: str
     messages: int
 
+    @property
+    def is_bad(self) -> bool:
+        """Whether something went wrong that must not."""
+        return bool(self.stuck or self.lost or self.broken)
+
+    def record(self) -> dict[str, Any]:
+        """What went wrong."""
+        return {
+            "seed": self.seed,
+            "stuck": self.stuck,
+            "lost": self.lost,
+            "broken": self.broken,
+        }
+
 
 def a_day(seed: int) -> Day:
     """One day, and the same without anything that befalls."""
     made = hard_day(seed, DEFAULT, robots=ROBOTS, tasks=TASKS, work_s=WORK_S)
     lossless = asked_scene(seed, method=DEFAULT, robots=ROBOTS, tasks=TASKS, work_s=WORK_S)
+    broken = _broken(made, lossless)
+    finish_s, lossless_s = (scene.rehearsal.channel.now() for scene in (made, lossless))
+    stuck = () if broken else tuple(made.rehearsal.open_tasks())
+    reported = _reported(made)
+    lost = () if broken else _lost(made, reported)
+    sent = made.rehearsal.channel.counts["sent"]
+    return Day(seed, finish_s, lossless_s, stuck, lost, reported, broken, sent)
+
+
+def _broken(*scenes: Scene) -> str:
+    """Run scenes; the invariant that one has broken, the last one if several have."""
     broken = ""
-    for scene in (made, lossless):
+    for scene in scenes:
         try:
             scene.run(_UNTIL_S)
         except BrokenError as error:
             broken = str(error)
-    finish_s, lossless_s = (scene.rehearsal.channel.now() for scene in (made, lossless))
-    stuck = () if broken else tuple(made.rehearsal.open_tasks())
-    reported = _reported(made)
+    return broken
+
+
+def _lost(made: Scene, reported: dict[str, str]) -> tuple[str, ...]:
     done = {task_id for _, task_id, _ in made.rehearsal.happened.done}
-    lost = tuple(name for name in made.watch.tasks if name not in done and name not in reported)
-    sent = made.rehearsal.channel.counts["sent"]
-    return Day(seed, finish_s, lossless_s, stuck, () if broken else lost, reported, broken, sent)
+    return tuple(name for name in made.watch.tasks if name not in done and name not in reported)
 
 
 def _reported(made: Scene) -> dict[str, str]:
@@ -78,18 +104,9 @@ def days(count: int) -> Iterator[Day]:
 def judged(found: list[Day]) -> dict[str, Any]:
     """The row of all days."""
     ratios = [day.finish_s / day.lossless_s for day in found]
-    figures: dict[str, Any] = {
-        "stuck": sum(bool(day.stuck) for day in found),
-        "lost": sum(bool(day.lost) for day in found),
-        "broken": sum(bool(day.broken) for day in found),
-        "ratio": float(max(ratios)),
-    }
+    bad = [day.record() for day in found if day.is_bad]
+    figures = _counts(bad) | {"ratio": float(max(ratios))}
     limits = {"stuck": 0, "lost": 0, "broken": 0, "ratio": RATIO}
-    bad = [
-        {"seed": day.seed, "stuck": day.stuck, "lost": day.lost, "broken": day.broken}
-        for day in found
-        if day.stuck or day.lost or day.broken
-    ]
     return {
         "suite": "days",
         "row": f"{ROBOTS} robots, {TASKS} tasks of {WORK_S:g} s",
@@ -103,5 +120,10 @@ def judged(found: list[Day]) -> dict[str, Any]:
         "messages_per_task": float(np.mean([day.messages for day in found])) / TASKS,
         "bad": bad,
         "limits": limits,
-        "passed": all(figures[name] <= limit for name, limit in limits.items()),
+        "passed": keeps(figures, limits),
     }
+
+
+def _counts(bad: list[dict[str, Any]]) -> dict[str, float]:
+    """How many days ended with something that must not be."""
+    return {name: sum(bool(one[name]) for one in bad) for name in ("stuck", "lost", "broken")}

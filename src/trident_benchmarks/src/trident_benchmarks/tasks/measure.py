@@ -5,14 +5,14 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from typing import Any
 
 from trident_eval.core.errors import EvalError
 
 from trident_benchmarks.results import (
-    FAILED,
-    MEASURED,
     check_folder,
+    limits_code,
     new_document,
     say,
     write_document,
@@ -35,6 +35,10 @@ def line(row: dict[str, Any]) -> str:
             f"{row['messages_per_task']:.1f} messages a task (limit {allocation.MESSAGES:.0f})"
             f"{verdict}"
         )
+    return head + _gaps_line(row) + verdict
+
+
+def _gaps_line(row: dict[str, Any]) -> str:
     figures = [
         f"{name} {100.0 * row[name]:+.2f} %" + _limit(row["limits"].get(name))
         for name in ("mean", "worst")
@@ -42,7 +46,7 @@ def line(row: dict[str, Any]) -> str:
     if "messages_per_task" in row:
         figures.append(f"at most {row['messages_per_task']:.0f} messages a task")
     of = f" of {row['of_instances']}" if row.get("of_instances", 0) > row["instances"] else ""
-    return f"{head}{', '.join(figures)} ({row['instances']}{of} instances){verdict}"
+    return f"{', '.join(figures)} ({row['instances']}{of} instances)"
 
 
 def _limit(limit: float | None) -> str:
@@ -65,21 +69,14 @@ def measure(options: argparse.Namespace) -> int:
     Raises:
         EvalError: an option is not legal.
     """
-    for suite in options.suite:
-        if suite not in SUITES:
-            raise EvalError(f"suite is {suite!r}, legal: {', '.join(SUITES)}")
+    chosen = _chosen_suites(options.suite)
     check_folder(options.out)
     check_folder(options.picture)
     if options.refresh:
         refresh(options.refresh, ("sum", "makespan"))
-    chosen = options.suite or SUITES
     document = new_document() | {"rows": []}
     if "allocation" in chosen:
-        table = read_table()
-        if not table:
-            say(f"{FILE} is not there: no row against OR-tools; --refresh makes it")
-        for suite in allocation.suites(table, options.quick):
-            _keep(suite(), document, options)
+        _measure_allocation(document, options)
     if "days" in chosen:
         count = min(options.days, 12) if options.quick else options.days
         _keep([days.judged(list(days.days(count)))], document, options)
@@ -87,7 +84,23 @@ def measure(options: argparse.Namespace) -> int:
         from trident_benchmarks.tasks.picture import draw_gaps
 
         draw_gaps(options.picture, document["rows"])
-    return MEASURED if all(row["passed"] for row in document["rows"]) else FAILED
+    return limits_code(document)
+
+
+def _chosen_suites(names: Sequence[str]) -> Sequence[str]:
+    """Those of the names; all without names."""
+    for name in names:
+        if name not in SUITES:
+            raise EvalError(f"suite is {name!r}, legal: {', '.join(SUITES)}")
+    return names or SUITES
+
+
+def _measure_allocation(document: dict[str, Any], options: argparse.Namespace) -> None:
+    table = read_table()
+    if not table:
+        say(f"{FILE} is not there: no row against OR-tools; --refresh makes it")
+    for suite in allocation.suites(table, options.quick):
+        _keep(suite(), document, options)
 
 
 def _keep(

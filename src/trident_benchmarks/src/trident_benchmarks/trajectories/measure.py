@@ -8,9 +8,8 @@ import argparse
 from typing import Any
 
 from trident_benchmarks.results import (
-    FAILED,
-    MEASURED,
     check_folder,
+    limits_code,
     new_document,
     say,
     write_document,
@@ -59,4 +58,4 @@ def measure(options: argparse.Namespace) -> int:
     if options.picture:
         draw(options.picture, trials("picture"))
         say(f"{options.picture}: a swap and a rendezvous in space and time")
-    return MEASURED if all(row["passed"] for row in document["rows"]) else FAILED
+    return limits_code(document)

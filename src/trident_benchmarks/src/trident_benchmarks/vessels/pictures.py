@@ -46,15 +46,20 @@ def draw(check: Check, file: Path) -> None:
         picture.savefig(file, metadata={"Software": None})
 
 
-def _draw_panel(axes: Any, panel: Panel) -> None:
-    for i, (x, lower, upper) in enumerate(panel.bands):
-        label = "legal" if i == 0 else None
-        axes.fill_between(x, lower, upper, color=_LEGAL, linewidth=0.0, label=label)
+def _draw_curves(axes: Any, panel: Panel) -> None:
+    """What was measured in colors, references in black."""
     for color, curve in zip(_COLORS, panel.measured, strict=False):
         line, marker = ("none", "o") if curve.dots else ("-", None)
         axes.plot(curve.x, curve.y, color=color, linestyle=line, marker=marker, label=curve.label)
     for style, curve in zip(("--", ":", "-.", (0, (1, 3))), panel.reference, strict=False):
         axes.plot(curve.x, curve.y, color="black", linestyle=style, lw=1.0, label=curve.label)
+
+
+def _draw_panel(axes: Any, panel: Panel) -> None:
+    for i, (x, lower, upper) in enumerate(panel.bands):
+        label = "legal" if i == 0 else None
+        axes.fill_between(x, lower, upper, color=_LEGAL, linewidth=0.0, label=label)
+    _draw_curves(axes, panel)
     axes.set(title=panel.title, xlabel=panel.x_label, ylabel=panel.y_label)
     if panel.log:
         axes.set_yscale("log")

@@ -99,18 +99,26 @@ def silence(config: Sequence[Path], jobs: int | None) -> list[dict[str, Any]]:
     ]
 
 
+def _driven_goals(config: Sequence[Path], jobs: int | None, goals: int) -> list[dict[str, Any]]:
+    """So many goals of each process."""
+    seeds = [[seed] for seed in range(1, 1 + _PROCESSES)]
+    with tempfile.TemporaryDirectory(prefix="trident_pains_") as temporary:
+        documents = _documents(Path(temporary), config, goals, seeds)
+        done = run_documents("trident_benchmarks", "nav_drive_pains", documents, jobs, "near_goals")
+    return [goal for runs in done for run in runs for goal in run["goals"]]
+
+
+def _text(goal: dict[str, Any]) -> str:
+    return goal["text"] or f"{goal}"
+
+
 def near_goals(config: Sequence[Path], jobs: int | None, quick: bool) -> list[dict[str, Any]]:
     """P2: goals 0.05 to 1 m away in any direction, with any heading.
 
     Raises:
         EvalError: they could not be driven.
     """
-    goals = (_QUICK_GOALS if quick else _GOALS) // _PROCESSES
-    seeds = [[seed] for seed in range(1, 1 + _PROCESSES)]
-    with tempfile.TemporaryDirectory(prefix="trident_pains_") as temporary:
-        documents = _documents(Path(temporary), config, goals, seeds)
-        done = run_documents("trident_benchmarks", "nav_drive_pains", documents, jobs, "near_goals")
-    every = [goal for runs in done for run in runs for goal in run["goals"]]
+    every = _driven_goals(config, jobs, (_QUICK_GOALS if quick else _GOALS) // _PROCESSES)
     missed = [goal for goal in every if not goal["is_reached"]]
     what = f"{len(every)} goals 0.05 to 1 m away, any heading"
     rival = "navigation#215, #147, kobuki-x#33"
@@ -122,7 +130,7 @@ def near_goals(config: Sequence[Path], jobs: int | None, quick: bool) -> list[di
             float(len(missed)),
             0.0,
             "goals",
-            note="; ".join(goal["text"] or f"{goal}" for goal in missed[:3]),
+            note="; ".join(map(_text, missed[:3])),
         ),
         pain(
             "P2",

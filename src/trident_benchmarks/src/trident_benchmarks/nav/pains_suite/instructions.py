@@ -66,6 +66,18 @@ def built_files() -> list[Path]:
     return libraries + programs
 
 
+def _files(quick: bool) -> list[Path]:
+    """Those that are looked at: all, or in haste those of trident_nav."""
+    files = built_files()
+    return [file for file in files if "trident_nav" in file.name] if quick else files
+
+
+def _chosen_functions(listing: Iterable[str]) -> int:
+    """How many functions of a disassembly are chosen at run time."""
+    matches = (_FUNCTION.match(line) for line in listing)
+    return sum(1 for match in matches if match and CHOSEN.search(match[1]))
+
+
 def _listing(file: Path) -> list[str]:
     done = subprocess.run(
         ["objdump", "--disassemble", "--no-show-raw-insn", "-M", "att", str(file)],
@@ -86,13 +98,11 @@ def instructions(quick: bool) -> list[dict[str, Any]]:
     """
     if platform.machine() != "x86_64" or shutil.which("objdump") is None:
         return []
-    files = built_files()
-    if quick:
-        files = [file for file in files if "trident_nav" in file.name]
+    files = _files(quick)
     chosen, wide = 0, []
     for file in files:
         listing = _listing(file)
-        chosen += sum(1 for line in listing if (m := _FUNCTION.match(line)) and CHOSEN.search(m[1]))
+        chosen += _chosen_functions(listing)
         wide += [f"{file.name}: {name}: {line}" for name, line in wide_functions(listing).items()]
     rival = "navigation2#5447, #4061, #5061"
     return [

@@ -60,16 +60,18 @@ def draw_tours(file: Path, grid: OccupancyMap, runs: Sequence[Outcome]) -> None:
     for run, color in zip(runs, colors, strict=True):
         points = np.array(run.track)
         axes.plot(points[:, 0], points[:, 1], color=color, linewidth=0.7)
-        for goal in run.goals:
-            x, y, yaw = goal.goal
-            mark = _REACHED if goal.end == "reached" and not goal.touched else _MISSED
-            tip = (x + _ARROW * longer_m * math.cos(yaw), y + _ARROW * longer_m * math.sin(yaw))
-            axes.annotate("", tip, (x, y), arrowprops={"arrowstyle": "->", "color": mark})
-            axes.plot([x], [y], "o", color=mark, markersize=3)
+        _draw_goals(axes, run, _ARROW * longer_m)
     goals = [goal for run in runs for goal in run.goals]
     reached = sum(goal.end == "reached" for goal in goals)
     axes.set(xlabel="x [m]", ylabel="y [m]", title=f"{reached} of {len(goals)} goals reached")
     figure.savefig(file, dpi=110, metadata={"Software": None})
+
+
+def _draw_goals(axes: Any, run: Outcome, length_m: float) -> None:
+    for goal in run.goals:
+        mark = _REACHED if goal.end == "reached" and not goal.touched else _MISSED
+        _draw_heading(axes, goal.goal, length_m, mark)
+        axes.plot([goal.goal[0]], [goal.goal[1]], "o", color=mark, markersize=3)
 
 
 def _map_axes(grid: OccupancyMap) -> tuple[Any, Any, float]:
@@ -101,11 +103,16 @@ def _grays(grid: OccupancyMap) -> np.ndarray[tuple[int, int], np.dtype[np.float6
     return np.select([grid.cells == FREE, grid.cells == OCCUPIED], [1.0, 0.2], 0.85)
 
 
-def _draw_goal(axes: Any, number: int, one: Tried, length_m: float) -> None:
-    x, y, yaw = one.goal
-    color = _REACHED if one.is_reached else _MISSED
+def _draw_heading(axes: Any, pose: Pose, length_m: float, color: str) -> None:
+    x, y, yaw = pose
     tip = (x + length_m * math.cos(yaw), y + length_m * math.sin(yaw))
+    axes.annotate("", tip, (x, y), arrowprops={"arrowstyle": "->", "color": color})
+
+
+def _draw_goal(axes: Any, number: int, one: Tried, length_m: float) -> None:
+    x, y, _ = one.goal
+    color = _REACHED if one.is_reached else _MISSED
     ratio = f"{one.time_s / one.bound_s:.2f}" if one.bound_s > 0.0 else "-"
     axes.plot([x], [y], "o", color=color, markersize=6)
-    axes.annotate("", tip, (x, y), arrowprops={"arrowstyle": "->", "color": color})
+    _draw_heading(axes, one.goal, length_m, color)
     axes.annotate(f"{number}: {ratio}", (x, y), (4, 4), textcoords="offset points", fontsize=9)

@@ -39,6 +39,13 @@ def draw_fields(file: Path, fields: Sequence[Field], outcomes: Sequence[Sequence
     figure.savefig(file, dpi=110, metadata={"Software": None})
 
 
+def _draw_run(axes: Any, run: Outcome) -> None:
+    color = _REACHED if run.is_success else _FAILED
+    axes.plot([x for x, _, _ in run.track], [y for _, y, _ in run.track], color, linewidth=0.6)
+    if not run.is_success:
+        axes.plot(*run.track[-1][:2], "x", color=_FAILED, markersize=5)
+
+
 def _draw_field(axes: Any, field: Field, runs: Sequence[Outcome]) -> None:
     from matplotlib.collections import PatchCollection
     from matplotlib.patches import Circle
@@ -51,10 +58,7 @@ def _draw_field(axes: Any, field: Field, runs: Sequence[Outcome]) -> None:
     )
     axes.add_patch(Circle(goal, GOAL_RADIUS_M, color=_GOAL, alpha=0.3, linewidth=0.0))
     for run in runs:
-        color = _REACHED if run.is_success else _FAILED
-        axes.plot([x for x, _, _ in run.track], [y for _, y, _ in run.track], color, linewidth=0.6)
-        if not run.is_success:
-            axes.plot(*run.track[-1][:2], "x", color=_FAILED, markersize=5)
+        _draw_run(axes, run)
     reached = sum(run.is_success for run in runs)
     axes.set_title(f"{field.number}: {reached}/{len(runs)}", fontsize=7)
     axes.set_aspect("equal")

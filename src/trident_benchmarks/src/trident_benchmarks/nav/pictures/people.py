@@ -65,17 +65,24 @@ def _write_strip(file: Path, frames: Sequence[dict[str, Any]]) -> None:
     figure.savefig(file, dpi=90, metadata={"Software": None})
 
 
-def draw_frame(axes: Any, frames: Sequence[dict[str, Any]], number: int) -> None:
-    """One moment: who walks gray, tracks red, the robot blue with its latest commands as arcs."""
-    from matplotlib.patches import Circle, Rectangle
-    from matplotlib.transforms import Affine2D
+def _draw_walkers(axes: Any, frame: dict[str, Any]) -> None:
+    """Who walks, and the tracks with their velocities."""
+    from matplotlib.patches import Circle
 
-    frame = frames[number]
     for x, y in frame["walkers"]:
         axes.add_patch(Circle((x, y), WALKER_RADIUS_M, color=_WALKER, linewidth=0.0))
     for x, y, vx, vy, radius in frame["tracks"]:
         axes.add_patch(Circle((x, y), radius, fill=False, edgecolor=_TRACK))
         axes.plot([x, x + _AHEAD_S * vx], [y, y + _AHEAD_S * vy], color=_TRACK, linewidth=1.2)
+
+
+def draw_frame(axes: Any, frames: Sequence[dict[str, Any]], number: int) -> None:
+    """One moment: who walks gray, tracks red, the robot blue with its latest commands as arcs."""
+    from matplotlib.patches import Rectangle
+    from matplotlib.transforms import Affine2D
+
+    frame = frames[number]
+    _draw_walkers(axes, frame)
     trail = [f["robot"] for f in frames[max(0, number - _TRAIL) : number + 1]]
     axes.plot([p[0] for p in trail], [p[1] for p in trail], color=_ROBOT, linewidth=0.8)
     for past in frames[max(0, number - _FAN + 1) : number + 1]:

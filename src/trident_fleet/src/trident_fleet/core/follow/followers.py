@@ -214,7 +214,7 @@ class Followers:
         raise refusal or FormationError(f"places: too close to the leader; legal: {least:g} m")
 
     def _may_descend(self, above: Array, goal: Array, own: Array, required: float) -> bool:
-        """Whether places above the goals are high enough, and the descent keeps clear of the leader."""
+        """Whether places above the goals are high enough, and the leader not in the descent."""
         descent = np.concatenate([np.stack([above, goal]), np.stack([own, own])], axis=1)
         is_low = bool((above[:, 2] < self.config.lowest_m).any())
         return not is_low and not min_separation(descent) < required
