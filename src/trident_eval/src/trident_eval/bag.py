@@ -150,10 +150,14 @@ def _complete(
         return measured
     if all(name in fleet for name in measured):
         return {name: fleet[name] for name in measured}
+    _warn_of_missing(path, missing)
+    return measured
+
+
+def _warn_of_missing(path: Path, missing: dict[str, float]) -> None:
     for name, seconds in sorted(missing.items()):
         if seconds:
             print(f"{path}: {seconds:.1f} s of the odometry of {name} are missing", file=sys.stderr)
-    return measured
 
 
 def _missing_s(samples: Samples) -> float:

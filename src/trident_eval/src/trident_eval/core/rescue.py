@@ -98,7 +98,18 @@ def rescue_rows(verdict: dict[str, Any]) -> list[Row]:
     """What a run of a team came to; nothing where it was about something else."""
     if verdict.get("mode") != MODE or "team" not in verdict:
         return []
-    people, limits = verdict["people"], verdict["limits"]
+    rows = [Row("team", f"{verdict['team']}, {verdict['method']}, links: {verdict['links']}")]
+    rows.append(Row("mission ended at", f"{verdict['end_s']:.1f} s"))
+    rows += _share_rows(verdict)
+    rows.append(Row("value per minute", f"{verdict['value_per_minute']:.2f}"))
+    rows.append(Row("contacts", str(verdict["contacts"]), "none", not verdict["contacts"]))
+    rows.append(Row("messages", str(verdict["messages"])))
+    return rows + [Row("lost", text) for text in verdict["lost"]]
+
+
+def _share_rows(verdict: dict[str, Any]) -> list[Row]:
+    """Coverage, and how many people were found and served, with their limits."""
+    people, rows = verdict["people"], []
     shown = {
         "coverage": f"{100 * verdict['coverage']:.1f} %",
         "found": f"{verdict['found']} of {people}",
@@ -106,16 +117,11 @@ def rescue_rows(verdict: dict[str, Any]) -> list[Row]:
     }
     shares = {"coverage": verdict["coverage"]}
     shares |= {name: verdict[name] / max(people, 1) for name in ("found", "served")}
-    rows = [Row("team", f"{verdict['team']}, {verdict['method']}, links: {verdict['links']}")]
-    rows.append(Row("mission ended at", f"{verdict['end_s']:.1f} s"))
     for name, text in shown.items():
-        least = limits.get(name)
+        least = verdict["limits"].get(name)
         limit = "" if least is None else f"at least {100 * least:g} %"
         rows.append(Row(name, text, limit, None if least is None else shares[name] >= least))
-    rows.append(Row("value per minute", f"{verdict['value_per_minute']:.2f}"))
-    rows.append(Row("contacts", str(verdict["contacts"]), "none", not verdict["contacts"]))
-    rows.append(Row("messages", str(verdict["messages"])))
-    return rows + [Row("lost", text) for text in verdict["lost"]]
+    return rows
 
 
 def draw_rescue(flown: Flown, folder: Path) -> list[Path]:

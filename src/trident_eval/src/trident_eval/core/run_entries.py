@@ -57,10 +57,10 @@ _LEGAL = {
 
 
 def _is_of(kind: str, value: Any) -> bool:
-    if kind == "str":
-        return isinstance(value, str) and value != ""
-    if kind == "bool" or isinstance(value, bool):
-        return kind == "bool" and isinstance(value, bool)
-    if kind == "int":
-        return isinstance(value, int) and value >= 0
-    return isinstance(value, int | float) and 0.0 <= value < math.inf
+    if isinstance(value, bool):
+        return kind == "bool"
+    if isinstance(value, str):
+        return kind == "str" and value != ""
+    if isinstance(value, int):
+        return kind in ("int", "float") and value >= 0
+    return kind == "float" and isinstance(value, float) and 0.0 <= value < math.inf

@@ -13,6 +13,7 @@ from trident_eval.core.bridges.latency import LatencyRecord, percentiles_ms
 from trident_eval.core.bridges.latency_plots import draw_latencies
 from trident_eval.core.errors import EvalError
 from trident_eval.core.exit_codes import exit_code_of
+from trident_eval.core.tracks import Array
 from trident_eval.latency.probe import listen, send_and_receive
 from trident_eval.latency.topics import Topic, look_up
 from trident_eval.options import add_latency
@@ -51,12 +52,13 @@ def _measure(options: argparse.Namespace) -> int:
         bare = _sent(options, folder, _BARE_TOPIC, _BARE_TOPIC)
     _print(f"a bare topic, {options.message} at {options.rate:g} Hz", bare)
     if options.out:
-        latencies = {title: record.latency_ms, "a bare topic": bare.latency_ms}
-        draw_latencies(
-            {key: data for key, data in latencies.items() if len(data)}, "latency", options.out
-        )
-        print(f"written: {options.out}")
+        _draw({title: record.latency_ms, "a bare topic": bare.latency_ms}, options.out)
     return 1 if record.lost else 0
+
+
+def _draw(latencies: dict[str, Array], out: Path) -> None:
+    draw_latencies({title: data for title, data in latencies.items() if len(data)}, "latency", out)
+    print(f"written: {out}")
 
 
 def _measure_topic(

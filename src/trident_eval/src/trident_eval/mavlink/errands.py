@@ -43,6 +43,12 @@ class Errand:
     take_off: float = 0.0
     end: str = "hold"
 
+    @property
+    def is_legal(self) -> bool:
+        """Whether kind and end are known, and there are places that can be reached."""
+        is_known = self.kind in KINDS and self.end in ENDS
+        return is_known and bool(self.places) and not self.radius <= 0.0
+
 
 @dataclass
 class ErrandRecord:
@@ -95,6 +101,6 @@ def _errand(entry: dict[str, Any], where: str) -> Errand:
         errand = Errand(places=places, **given)
     except (KeyError, TypeError, ValueError) as error:
         raise EvalError(f"{where}: {error}; legal: {_LEGAL}") from error
-    if errand.kind not in KINDS or errand.end not in ENDS or not places or errand.radius <= 0.0:
+    if not errand.is_legal:
         raise EvalError(f"{where}: {entry}; legal: {_LEGAL}")
     return errand

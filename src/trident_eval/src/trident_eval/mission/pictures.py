@@ -4,12 +4,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
-from trident_fleet.core.missions.record import Record
+from trident_fleet.core.missions.record import Record, Work
 from trident_fleet.core.missions.scene import Scene
 from trident_fleet.core.missions.tree_file import TreePlan
 from trident_fleet.core.missions.truth import PersonState
@@ -94,6 +95,19 @@ def _state(person: PersonState) -> str:
     return "not found" if person.found_s is None else "found"
 
 
+def _draw_work(axes: Any, done: Sequence[Work], robots: Sequence[str], color: str) -> None:
+    """Bars of one kind of task."""
+    axes.barh(
+        [robots.index(work.robot) for work in done],
+        [work.end_s - work.begin_s for work in done],
+        left=[work.begin_s for work in done],
+        color=color,
+        edgecolor="white",
+        linewidth=0.5,
+        label=done[0].kind,
+    )
+
+
 def draw_times(path: Path, record: Record) -> None:
     """Coverage over time, and below it which robot was at which kind of task."""
     plt = _pyplot()
@@ -107,15 +121,7 @@ def draw_times(path: Path, record: Record) -> None:
     names, kinds = list(record.tracks), sorted({work.kind for work in record.work})
     for color, kind in zip(_COLORS, kinds, strict=False):
         done = [work for work in record.work if work.kind == kind]
-        lower.barh(
-            [names.index(work.robot) for work in done],
-            [work.end_s - work.begin_s for work in done],
-            left=[work.begin_s for work in done],
-            color=color,
-            edgecolor="white",
-            linewidth=0.5,
-            label=kind,
-        )
+        _draw_work(lower, done, names, color)
     lower.set(xlabel="time [s]", yticks=range(len(names)), yticklabels=names)
     lower.invert_yaxis()
     if kinds:

@@ -124,21 +124,37 @@ def calibration_text(timing: dict[str, Any]) -> str | None:
 
 def _follow(stream: IO[str], show: bool) -> list[str]:
     said: deque[str] = deque(maxlen=_SHOWN_LINES)
-    is_bar_shown = False
+    shown = _Shown()
     for line in stream:
         found = _PROGRESS.match(line)
-        if found is None:
-            if not line.startswith(_CHOSEN):  # it is no reason for a failure
-                said.append(line.rstrip())
-            if show and not _ERROR.match(line):  # an error is the caller's to say
-                print(("\n" if is_bar_shown else "") + line.rstrip(), file=sys.stderr)
-                is_bar_shown = False
-        elif show and sys.stderr.isatty():
-            print(bar(int(found[1]), int(found[2])), end="", file=sys.stderr, flush=True)
-            is_bar_shown = True
-    if is_bar_shown:
-        print(file=sys.stderr)
+        # What was chosen is no reason for a failure.
+        if found is None and not line.startswith(_CHOSEN):
+            said.append(line.rstrip())
+        if show:
+            shown.take(line, found)
+    shown.end()
     return [_ERROR.sub("", line, count=1) if _ERROR.match(line) else line for line in said]
+
+
+class _Shown:
+    """What is shown of a program's lines, below which there may be a bar of its progress."""
+
+    def __init__(self) -> None:
+        self._has_bar = False
+
+    def take(self, line: str, progress: re.Match[str] | None) -> None:
+        """Show a line, unless it is an error, which the caller says; or the progress that it is."""
+        if progress is None and not _ERROR.match(line):
+            print(("\n" if self._has_bar else "") + line.rstrip(), file=sys.stderr)
+            self._has_bar = False
+        elif progress is not None and sys.stderr.isatty():
+            print(bar(int(progress[1]), int(progress[2])), end="", file=sys.stderr, flush=True)
+            self._has_bar = True
+
+    def end(self) -> None:
+        """Leave the bar."""
+        if self._has_bar:
+            print(file=sys.stderr)
 
 
 def bar(percent: int, scans: int) -> str:

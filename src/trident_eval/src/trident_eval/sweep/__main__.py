@@ -120,22 +120,21 @@ def _engine(options: argparse.Namespace, sweep: Sweep) -> Engine:
     return DaskEngine(sweep.folder, subject, _workers(options), address)
 
 
-def _carry_out(options: argparse.Namespace, sweep: Sweep) -> int:
-    ending = DONE
-    if sweep.found:
-        print(f"{sweep.found} of {sweep.wanted} runs are there already", file=sys.stderr)
-    if sweep.missing:
-        engine = _engine(options, sweep)
-        try:
-            sweep.run(engine)
-        except KeyboardInterrupt:
-            ending = INTERRUPTED
-            print("interrupted; the same command continues", file=sys.stderr)
-        finally:
-            engine.close()
-            sweep.look()
-    if options.only:
-        return _show_row(sweep)
+def _run(options: argparse.Namespace, sweep: Sweep) -> int:
+    """Make the runs that are missing; INTERRUPTED if somebody has stopped it."""
+    engine = _engine(options, sweep)
+    try:
+        sweep.run(engine)
+    except KeyboardInterrupt:
+        print("interrupted; the same command continues", file=sys.stderr)
+        return INTERRUPTED
+    finally:
+        engine.close()
+        sweep.look()
+    return DONE
+
+
+def _write(options: argparse.Namespace, sweep: Sweep) -> None:
     command = f"./trident sweep {options.scenario}"
     if options.out:
         command += f" --out {options.out}"
@@ -143,6 +142,15 @@ def _carry_out(options: argparse.Namespace, sweep: Sweep) -> int:
         sweep.write(command)
     except OSError as error:
         raise EvalError(f"{sweep.folder}: {error.strerror}; the rows are whole") from error
+
+
+def _carry_out(options: argparse.Namespace, sweep: Sweep) -> int:
+    if sweep.found:
+        print(f"{sweep.found} of {sweep.wanted} runs are there already", file=sys.stderr)
+    ending = _run(options, sweep) if sweep.missing else DONE
+    if options.only:
+        return _show_row(sweep)
+    _write(options, sweep)
     print(sweep.folder / "report.html")
     if ending == DONE and sweep.failed:
         print(f"{sweep.failed} of {sweep.wanted} runs have failed", file=sys.stderr)

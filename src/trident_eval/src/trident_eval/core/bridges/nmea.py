@@ -11,6 +11,7 @@ from __future__ import annotations
 import csv
 import json
 import re
+from collections import Counter
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -90,6 +91,18 @@ class _Positions:
         self._day: datetime | None = None
         self.rows: list[tuple[float, int, Array]] = []
 
+    def take(self, line: bytes) -> str | None:
+        """Read a line without its end; the type of its sentence, None: the line is wrong."""
+        found = _LINE.fullmatch(line.decode("latin1"))
+        if found is None or checksum(found["body"]) != int(found["sum"], 16):
+            return None
+        fields = found["body"].split(",")
+        try:
+            self.add(fields)
+        except (IndexError, ValueError):  # a field that is not there, or says nothing
+            return None
+        return fields[0][2:]
+
     def add(self, fields: list[str]) -> None:
         kind = fields[0][2:]
         if kind == "RMC" and fields[9]:
@@ -106,8 +119,8 @@ class _Positions:
             self.rows.append((at_s, int(fields[6]), p_enu))
 
 
-def _truth(path: Path, vehicle: str, antenna: Array, time: Array) -> Array:
-    """Where the antenna was [m], shape (M, 3); NaN outside of what is known."""
+def _states(path: Path, vehicle: str) -> list[list[float]]:
+    """The states of a vehicle: time, position and orientation."""
     rows = []
     try:
         with path.open(newline="", encoding="utf-8") as stream:
@@ -116,6 +129,12 @@ def _truth(path: Path, vehicle: str, antenna: Array, time: Array) -> Array:
                     rows.append([float(row[column]) for column in _STATE])
     except (OSError, KeyError, ValueError) as error:
         raise EvalError(f"{path}: {error}; legal: the states of a run") from error
+    return rows
+
+
+def _truth(path: Path, vehicle: str, antenna: Array, time: Array) -> Array:
+    """Where the antenna was [m], shape (M, 3); NaN outside of what is known."""
+    rows = _states(path, vehicle)
     result = np.full((len(time), 3), np.nan)
     if len(rows) < 2:
         return result
@@ -142,27 +161,17 @@ def _read(path: Path) -> NmeaLog:
     except (OSError, KeyError, TypeError, ValueError) as error:
         raise EvalError(f"{about_path}: {error}; legal: what nmea_log.py writes") from error
     positions = _Positions(Datum(latitude, longitude, height), start)
-    sentences: dict[str, int] = {}
-    wrong = longest = 0
-    for block in blocks[:-1]:  # the last one is torn by the end of the run
-        longest = max(longest, len(block) + 1)
-        found = _LINE.fullmatch(block.decode("latin1"))
-        if found is None or checksum(found["body"]) != int(found["sum"], 16):
-            wrong += 1
-            continue
-        fields = found["body"].split(",")
-        try:
-            positions.add(fields)
-        except (IndexError, ValueError):  # a field that is not there, or says nothing
-            wrong += 1
-            continue
-        sentences[fields[0][2:]] = sentences.get(fields[0][2:], 0) + 1
+    lines = blocks[:-1]  # the last one is torn by the end of the run
+    types = [positions.take(line) for line in lines]
+    sentences = Counter(found for found in types if found is not None)
+    wrong = types.count(None)
+    longest = max((len(line) + 1 for line in lines), default=0)
     rows = positions.rows
     time = np.array([row[0] for row in rows])
     p_enu = np.array([row[2] for row in rows]).reshape(-1, 3)
     truth = _truth(path.parent / "states.csv", about["vehicle"], antenna, time)
     quality = np.array([row[1] for row in rows], float)
-    return NmeaLog(about["vehicle"], sentences, wrong, longest, time, quality, p_enu, truth)
+    return NmeaLog(about["vehicle"], dict(sentences), wrong, longest, time, quality, p_enu, truth)
 
 
 def read_nmea(folder: Path) -> list[NmeaLog]:
@@ -172,6 +181,25 @@ def read_nmea(folder: Path) -> list[NmeaLog]:
         EvalError: a file is not what nmea_log.py writes.
     """
     return [_read(path) for path in sorted(folder.glob(f"*{_SUFFIX}"))]
+
+
+def _against(log: NmeaLog, error_m: Array) -> list[str]:
+    """What speaks against a stream, whose RTK fixed positions are so far from the truth [m]."""
+    reasons = []
+    if log.wrong:
+        reasons.append(
+            f"{log.wrong} lines that are no sentences with a right checksum, legal: none"
+        )
+    if log.longest > LONGEST_LINE:
+        reasons.append(f"a line of {log.longest} characters, legal: {LONGEST_LINE}")
+    if not len(error_m):
+        reasons.append("no RTK fixed position that can be compared with the truth")
+    elif error_m.max() > POSITION_LIMIT_M:
+        reasons.append(
+            f"an RTK fixed position {error_m.max():.3f} m from the truth,"
+            f" legal: {POSITION_LIMIT_M} m"
+        )
+    return reasons
 
 
 def judge_nmea(log: NmeaLog) -> tuple[dict[str, Any], list[str]]:
@@ -193,19 +221,7 @@ def judge_nmea(log: NmeaLog) -> tuple[dict[str, Any], list[str]]:
         "position_limit_m": POSITION_LIMIT_M,
         "height_max_m": float(height.max()) if has_fixes else None,
     }
-    reasons = []
-    if log.wrong:
-        reasons.append(
-            f"{log.wrong} lines that are no sentences with a right checksum, legal: none"
-        )
-    if log.longest > LONGEST_LINE:
-        reasons.append(f"a line of {log.longest} characters, legal: {LONGEST_LINE}")
-    if not has_fixes:
-        reasons.append("no RTK fixed position that can be compared with the truth")
-    elif error.max() > POSITION_LIMIT_M:
-        reasons.append(
-            f"an RTK fixed position {error.max():.3f} m from the truth, legal: {POSITION_LIMIT_M} m"
-        )
+    reasons = _against(log, error)
     numbers["satisfied"] = not reasons
     return numbers, [f"{log.vehicle}, NMEA: {reason}" for reason in reasons]
 

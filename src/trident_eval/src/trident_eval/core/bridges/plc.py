@@ -158,27 +158,13 @@ def judge_plc(tracks: Tracks, log: PlcLog, run: dict[str, Any]) -> Verdict:
         run: the simulator's run.json; may be empty.
     """
     end_s = float(tracks.time[-1]) if len(tracks.time) else 0.0
-    delays = [delay for side in PROPELLERS for delay in command_delays(log, side)]
-    stops = [stop for side in PROPELLERS for stop in silences(log, side, end_s)]
-    errors = np.concatenate([register_errors(log, side) for side in PROPELLERS])
-    spoken = [log.of("pilot", f"{side}_command").value for side in PROPELLERS]
-    heard = np.concatenate([log.of("vessel", f"{side}_command").value for side in PROPELLERS])
     track = tracks.select([log.vessel]).position[:, 0]
     track = track[np.isfinite(track).all(axis=1)]
     shone, seen = log.of("vessel", "lights"), log.of("client", "lights")
     numbers: dict[str, Any] = {
-        "commands": len(delays),
-        "commands_arrived": len(_known(delays)),
-        "delay_max_s": max(_known(delays), default=None),
-        "delay_limit_s": DELAY_LIMIT_S,
-        "illegal_commands": int(sum((~log.is_legal(values)).sum() for values in spoken)),
-        "illegal_arrived": int((~log.is_legal(heard)).sum()),
-        "silences": len(stops),
-        "stopped": len(_known(stops)),
-        "stopped_after_max_s": max(_known(stops), default=None),
-        "stopped_limit_s": log.timeout_s + SAFE_SLACK_S,
-        "registers_read": len(errors),
-        "register_error_max_n": float(errors.max()) if len(errors) else None,
+        **_command_numbers(log),
+        **_silence_numbers(log, end_s),
+        **_register_numbers(log),
         "lights": bool(len(shone.time) and seen.value.any()),
         "distance_m": float(lengths(np.diff(track[:, :2], axis=0)).sum()),
     }
@@ -192,6 +178,38 @@ def judge_plc(tracks: Tracks, log: PlcLog, run: dict[str, Any]) -> Verdict:
     verdict.numbers |= run_numbers(run)
     take_over(run, verdict)
     return verdict
+
+
+def _command_numbers(log: PlcLog) -> dict[str, Any]:
+    delays = [delay for side in PROPELLERS for delay in command_delays(log, side)]
+    spoken = [log.of("pilot", f"{side}_command").value for side in PROPELLERS]
+    heard = np.concatenate([log.of("vessel", f"{side}_command").value for side in PROPELLERS])
+    return {
+        "commands": len(delays),
+        "commands_arrived": len(_known(delays)),
+        "delay_max_s": max(_known(delays), default=None),
+        "delay_limit_s": DELAY_LIMIT_S,
+        "illegal_commands": int(sum((~log.is_legal(values)).sum() for values in spoken)),
+        "illegal_arrived": int((~log.is_legal(heard)).sum()),
+    }
+
+
+def _silence_numbers(log: PlcLog, end_s: float) -> dict[str, Any]:
+    stops = [stop for side in PROPELLERS for stop in silences(log, side, end_s)]
+    return {
+        "silences": len(stops),
+        "stopped": len(_known(stops)),
+        "stopped_after_max_s": max(_known(stops), default=None),
+        "stopped_limit_s": log.timeout_s + SAFE_SLACK_S,
+    }
+
+
+def _register_numbers(log: PlcLog) -> dict[str, Any]:
+    errors = np.concatenate([register_errors(log, side) for side in PROPELLERS])
+    return {
+        "registers_read": len(errors),
+        "register_error_max_n": float(errors.max()) if len(errors) else None,
+    }
 
 
 def _checks(numbers: dict[str, Any]) -> tuple[tuple[str, bool, str], ...]:

@@ -110,11 +110,15 @@ def read_trial(folder: Path) -> LinkTrial | None:
     names = [field.name for field in fields(LinkTrial)]
     if not isinstance(given, dict) or set(given) != set(names):
         raise EvalError(f"{where}: {given!r}; legal: a map of {', '.join(names)}")
-    try:
-        numbers = {name: float(given[name]) for name in names[2:]}
-    except (TypeError, ValueError) as error:
-        raise EvalError(f"{where}: {error}; legal: numbers for {', '.join(names[2:])}") from error
+    numbers = _numbers_of(given, names[2:], where)
     return LinkTrial(str(given["source"]), str(given["destination"]), **numbers)
+
+
+def _numbers_of(given: dict[str, Any], names: list[str], where: str) -> dict[str, float]:
+    try:
+        return {name: float(given[name]) for name in names}
+    except (TypeError, ValueError) as error:
+        raise EvalError(f"{where}: {error}; legal: numbers for {', '.join(names)}") from error
 
 
 def read_stations(folder: Path) -> list[Station]:
@@ -156,7 +160,6 @@ def judge_trial(
     What counts as direct ends when a base station takes off; without one it is all of the run.
     """
     end_s = float(log.time[-1])
-    up = sorted(station.up_s for station in stations if station.up_s is not None)
     left = [station.take_off_s for station in stations if station.take_off_s is not None]
     direct = crossed(log, trial, trial.from_s, min([*left, end_s]))
     numbers: dict[str, Any] = {
@@ -167,8 +170,7 @@ def judge_trial(
     }
     reasons = list(_against(trial, "directly", direct, -math.inf, trial.direct_limit))
     if stations:
-        begin_s = up[0] + SETTLING_S if up else end_s
-        relayed = crossed(log, trial, begin_s, end_s)
+        relayed = crossed(log, trial, _relayed_from_s(stations, end_s), end_s)
         numbers["relayed"] = _numbers(relayed, trial.relayed_limit)
         over = f"with {stations[0].vehicle} up"
         reasons += _against(trial, over, relayed, trial.relayed_limit, math.inf)
@@ -218,21 +220,27 @@ def add_trial(verdict: Verdict, folder: Path) -> None:
     verdict.reasons += reasons
 
 
+def _relayed_from_s(stations: list[Station], end_s: float) -> float:
+    """When the first base station is up and has settled [s]; the end of the run if none is."""
+    up = [station.up_s for station in stations if station.up_s is not None]
+    return min(up) + SETTLING_S if up else end_s
+
+
 def trial_rows(verdict: dict[str, Any]) -> list[Row]:
     """What crossed without a base station of the air, and with one."""
     trial: dict[str, Any] = verdict.get("link_trial") or {}
-    rows = []
-    for key, word in (("direct", "directly"), ("relayed", "with base station")):
-        if key not in trial:
-            continue
-        numbers = trial[key]
-        share, limit = numbers["share"], numbers["limit"]
-        counts = f"{numbers['delivered']} of {numbers['offered']}"
-        value = counts if share is None else f"{100.0 * share:.1f} %, {counts}"
-        value += f", {numbers['from_s']:.0f} s to {numbers['to_s']:.0f} s"
-        is_above = share is not None and share >= limit
-        is_satisfied = share is not None and is_above == (key == "relayed")
-        held = "below" if key == "direct" else "at least"
-        label = f"{trial['source']} -> {trial['destination']} {word}"
-        rows.append(Row(label, value, f"{held} {100.0 * limit:g} %", is_satisfied))
-    return rows
+    words = (("direct", "directly"), ("relayed", "with base station"))
+    return [_trial_row(trial, key, word) for key, word in words if key in trial]
+
+
+def _trial_row(trial: dict[str, Any], key: str, word: str) -> Row:
+    numbers = trial[key]
+    share, limit = numbers["share"], numbers["limit"]
+    counts = f"{numbers['delivered']} of {numbers['offered']}"
+    value = counts if share is None else f"{100.0 * share:.1f} %, {counts}"
+    value += f", {numbers['from_s']:.0f} s to {numbers['to_s']:.0f} s"
+    is_above = share is not None and share >= limit
+    is_satisfied = share is not None and is_above == (key == "relayed")
+    held = "below" if key == "direct" else "at least"
+    label = f"{trial['source']} -> {trial['destination']} {word}"
+    return Row(label, value, f"{held} {100.0 * limit:g} %", is_satisfied)

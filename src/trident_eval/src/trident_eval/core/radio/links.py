@@ -90,6 +90,12 @@ def read_links(folder: Path) -> LinkLog | None:
     path = folder / LINKS_FILE
     if not path.exists():
         return None
+    pairs, cells = _read_rows(path)
+    return _arranged(pairs, np.array(cells)) if cells else None
+
+
+def _read_rows(path: Path) -> tuple[list[tuple[str, str]], list[list[float]]]:
+    """Source and destination, and the numbers, of each row."""
     pairs: list[tuple[str, str]] = []
     cells: list[list[float]] = []
     try:
@@ -103,7 +109,7 @@ def read_links(folder: Path) -> LinkLog | None:
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         reason = getattr(error, "strerror", None) or error
         raise EvalError(f"{path}: {reason}; legal: a readable {LINKS_FILE}") from error
-    return _arranged(pairs, np.array(cells)) if cells else None
+    return pairs, cells
 
 
 def _check_columns(path: Path, found: Iterable[str] | None) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -35,6 +35,11 @@ class Axis:
 
     names: tuple[str, ...]
     points: tuple[tuple[Any, ...], ...]
+
+
+def names_of(axes: Iterable[Axis]) -> list[str]:
+    """Of all parameters that axes set."""
+    return [name for axis in axes for name in axis.names]
 
 
 @dataclass(frozen=True)
@@ -62,21 +67,27 @@ def read_axes(section: Section | None, samples: int, sampling_seed: int) -> tupl
     sampled: list[_Sampled] = []
     for name in section.names():
         entry = section.section(name)
-        kinds = [kind for kind in (*_LISTED, *_SAMPLERS) if kind in entry]
-        if len(kinds) != 1:
-            legal = ", ".join((*_LISTED, *_SAMPLERS))
-            raise section.error(name, f"{len(kinds)} kinds of values; legal: one of {legal}")
-        if kinds[0] in _SAMPLERS:
-            sampled.append(_read_sampled(entry, name, kinds[0]))
+        kind = _kind_of(section, entry, name)
+        if kind in _SAMPLERS:
+            sampled.append(_read_sampled(entry, name, kind))
         else:
-            listed.append(_LISTED[kinds[0]](entry, name))
+            listed.append(_LISTED[kind](entry, name))
         entry.finish()
     return (*listed, *_sample(section, sampled, samples, sampling_seed))
 
 
+def _kind_of(section: Section, entry: Section, name: str) -> str:
+    """How an axis gives its values."""
+    kinds = [kind for kind in (*_LISTED, *_SAMPLERS) if kind in entry]
+    if len(kinds) != 1:
+        legal = ", ".join((*_LISTED, *_SAMPLERS))
+        raise section.error(name, f"{len(kinds)} kinds of values; legal: one of {legal}")
+    return kinds[0]
+
+
 def points_of(axes: Sequence[Axis]) -> list[Point]:
     """Each point of one axis with each point of the others, the last axis fastest."""
-    names = [name for axis in axes for name in axis.names]
+    names = names_of(axes)
     combined = itertools.product(*(axis.points for axis in axes))
     return [dict(zip(names, itertools.chain(*parts), strict=True)) for parts in combined]
 
@@ -146,20 +157,25 @@ def _sample(
     """One axis of all sampled parameters; no axis without them."""
     if not sampled:
         return []
-    kinds = {one.sampler for one in sampled}
-    if len(kinds) > 1:
-        named = ", ".join(sorted(kinds))
-        raise section.error(sampled[-1].name, f"sampled by {named}; legal: one sampler for all")
+    sampler = _sampler_of(section, sampled)
     if not 1 <= samples <= LARGEST_COUNT:
         raise section.error(
             sampled[0].name, f"{samples} samples; legal: `samples:` from 1 to {LARGEST_COUNT}"
         )
-    unit = _draw(kinds.pop(), len(sampled), samples, sampling_seed)
-    low = np.array([one.low for one in sampled])
-    high = np.array([one.high for one in sampled])
+    unit = _draw(sampler, len(sampled), samples, sampling_seed)
+    low, high = np.array([(one.low, one.high) for one in sampled]).T
     points = low + unit * (high - low)
     rows = tuple(tuple(float(f"{value:.12g}") for value in row) for row in points)
     return [Axis(tuple(one.name for one in sampled), rows)]
+
+
+def _sampler_of(section: Section, sampled: Sequence[_Sampled]) -> str:
+    """That of all sampled parameters."""
+    kinds = {one.sampler for one in sampled}
+    if len(kinds) > 1:
+        named = ", ".join(sorted(kinds))
+        raise section.error(sampled[-1].name, f"sampled by {named}; legal: one sampler for all")
+    return kinds.pop()
 
 
 def _draw(kind: str, dimensions: int, samples: int, seed: int) -> Any:

@@ -7,7 +7,7 @@ from __future__ import annotations
 import html
 import math
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from trident_eval.core.page import PAGE_STYLE, html_figure, html_table
@@ -66,20 +66,20 @@ def _failures(rows: Sequence[RunRow]) -> Iterable[str]:
         )
 
 
+def _cells(known: Mapping[str, Mapping[int, Estimate]], point: int) -> list[str]:
+    """How many runs a point has, and the mean of each metric."""
+    found = [by_point.get(point) for by_point in known.values()]
+    count = max(one.count for one in found if one is not None)
+    return [str(count), *map(_mean, found)]
+
+
 def _points(scenario: Scenario, rows: Sequence[RunRow]) -> Iterable[str]:
     known = {metric.name: estimates(rows, metric.name) for metric in scenario.metrics}
     points = scenario.points()
     used = sorted(set().union(*known.values())) if known else []
     header = ["point", "runs"]
     header += [f"{one.name} [{one.unit}]" if one.unit else one.name for one in scenario.metrics]
-    lines = [
-        [
-            point_label(scenario, points[point]),
-            str(max(found[point].count for found in known.values() if point in found)),
-            *(_mean(known[one.name].get(point)) for one in scenario.metrics),
-        ]
-        for point in used[:_LINES]
-    ]
+    lines = [[point_label(scenario, points[one]), *_cells(known, one)] for one in used[:_LINES]]
     yield "<h2>Means and 95 % intervals</h2>"
     yield html_table(lines, header)
     if len(used) > _LINES:

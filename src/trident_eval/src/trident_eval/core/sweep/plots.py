@@ -4,12 +4,14 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from trident_eval.core.sweep.axes import names_of
 from trident_eval.core.sweep.comparing import Compared
 from trident_eval.core.sweep.rows import DONE, RunRow
 from trident_eval.core.sweep.scenario import Metric, Scenario
@@ -37,7 +39,7 @@ def draw(
 
 def point_label(scenario: Scenario, parameters: dict[str, Any]) -> str:
     """The values of a point in words; "all" where there is no axis."""
-    names = [name for axis in scenario.axes for name in axis.names]
+    names = names_of(scenario.axes)
     return ", ".join(f"{name} {_short(parameters[name])}" for name in names) or "all"
 
 
@@ -75,12 +77,12 @@ def _intervals(
 
 def _numeric_axes(scenario: Scenario, rows: Sequence[RunRow]) -> list[str]:
     """Parameters of axes that have numbers, at least two different ones."""
-    names = []
-    for name in (name for axis in scenario.axes for name in axis.names):
-        values = [row.parameters[name] for row in rows]
-        if all(type(value) in (int, float) for value in values) and len(set(values)) > 1:
-            names.append(name)
-    return names
+    values = {name: [row.parameters[name] for row in rows] for name in names_of(scenario.axes)}
+    return [name for name in values if _are_different_numbers(values[name])]
+
+
+def _are_different_numbers(values: Sequence[Any]) -> bool:
+    return all(type(value) in (int, float) for value in values) and len(set(values)) > 1
 
 
 def _curves(scenario: Scenario, rows: Sequence[RunRow], metric: Metric, folder: Path) -> list[Path]:
@@ -118,16 +120,14 @@ def _scatter(rows: Sequence[RunRow], name: str, metric: Metric, folder: Path) ->
 def _maps(scenario: Scenario, rows: Sequence[RunRow], metric: Metric, folder: Path) -> list[Path]:
     """Means over pairs of axes whose values form a grid."""
     drawn = []
-    names = _numeric_axes(scenario, rows)
-    for i, first in enumerate(names):
-        for second in names[i + 1 :]:
-            cells: dict[tuple[float, float], list[float]] = {}
-            for row in rows:
-                place = (row.parameters[first], row.parameters[second])
-                cells.setdefault(place, []).append(row.metrics[metric.name])
-            x, y = (sorted({place[k] for place in cells}) for k in (0, 1))
-            if len(cells) == len(x) * len(y) and len(cells) <= _MANY * _MANY:
-                drawn.append(_map((first, x), (second, y), cells, metric, folder))
+    for first, second in itertools.combinations(_numeric_axes(scenario, rows), 2):
+        cells: dict[tuple[float, float], list[float]] = {}
+        for row in rows:
+            place = (row.parameters[first], row.parameters[second])
+            cells.setdefault(place, []).append(row.metrics[metric.name])
+        x, y = (sorted(set(values)) for values in zip(*cells, strict=True))
+        if len(cells) == len(x) * len(y) and len(cells) <= _MANY * _MANY:
+            drawn.append(_map((first, x), (second, y), cells, metric, folder))
     return drawn
 
 

@@ -68,20 +68,21 @@ def checked_metrics(result: Any, names: tuple[str, ...]) -> dict[str, float]:
     """
     if not isinstance(result, Mapping):
         raise EvalError(f"the result is a {type(result).__name__}; legal: {{metric: number}}")
-    found = {}
-    for name in names:
-        if name not in result:
-            known = ", ".join(map(str, list(result)[:20]))
-            raise EvalError(f"{name}: not in the result, which has {known or 'nothing'}")
-        value = result[name]
-        try:
-            number = float(value)
-        except (TypeError, ValueError):
-            raise EvalError(f"{name}: {value!r}; legal: a finite number") from None
-        if not math.isfinite(number):
-            raise EvalError(f"{name}: {number}; legal: a finite number")
-        found[name] = number
-    return found
+    return {name: _checked_metric(result, name) for name in names}
+
+
+def _checked_metric(result: Mapping[str, Any], name: str) -> float:
+    if name not in result:
+        known = ", ".join(map(str, list(result)[:20]))
+        raise EvalError(f"{name}: not in the result, which has {known or 'nothing'}")
+    value = result[name]
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise EvalError(f"{name}: {value!r}; legal: a finite number") from None
+    if not math.isfinite(number):
+        raise EvalError(f"{name}: {number}; legal: a finite number")
+    return number
 
 
 def row_path(folder: Path, key: str) -> Path:

@@ -12,7 +12,7 @@ from typing import Any
 
 from trident_fleet.core.files.strict_yaml import Section, load
 
-from trident_eval.core.sweep.axes import LARGEST_COUNT, Axis, points_of, read_axes
+from trident_eval.core.sweep.axes import LARGEST_COUNT, Axis, names_of, points_of, read_axes
 
 _FUNCTION = re.compile(r"[A-Za-z_][\w.]*:[A-Za-z_]\w*")
 _NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}")
@@ -160,28 +160,35 @@ def _read_axes(file: Section, parameters: dict[str, Any]) -> tuple[Axis, ...]:
     if section is None:
         file.skip("axes")
     axes = read_axes(section, samples, seed)
-    names = [name for axis in axes for name in axis.names]
+    _check_names(file, names_of(axes), parameters)
+    return axes
+
+
+def _check_names(file: Section, names: list[str], parameters: dict[str, Any]) -> None:
     for name in names:
         if names.count(name) > 1 or name in parameters:
             raise file.error("axes", f"{name}: given twice; legal: one axis or one fixed value")
         if name == "seed":
             raise file.error("axes", "seed is no axis; legal: `seeds:`")
-    return axes
 
 
 def _read_seeds(file: Section) -> tuple[int, ...]:
     """A count, or a list."""
-    values = file.items("seeds") if file.is_list("seeds") else [file.integer("seeds", 1)]
     if file.is_list("seeds"):
-        if not values or not all(type(value) is int and 0 <= value < 2**32 for value in values):
-            raise file.error("seeds", f"{values}; legal: whole numbers from 0 to 4294967295")
-        if len(set(values)) < len(values):
-            raise file.error("seeds", "a seed is given twice")
-        return tuple(values)
-    count = values[0]
+        return _read_listed_seeds(file)
+    count = file.integer("seeds", 1)
     if not 1 <= count <= LARGEST_COUNT:
         raise file.error("seeds", f"{count}; legal: 1 to {LARGEST_COUNT}, or a list of seeds")
     return tuple(range(1, count + 1))
+
+
+def _read_listed_seeds(file: Section) -> tuple[int, ...]:
+    values = file.items("seeds")
+    if not values or not all(type(value) is int and 0 <= value < 2**32 for value in values):
+        raise file.error("seeds", f"{values}; legal: whole numbers from 0 to 4294967295")
+    if len(set(values)) < len(values):
+        raise file.error("seeds", "a seed is given twice")
+    return tuple(values)
 
 
 def _check_size(file: Section, axes: Sequence[Axis], seeds: Sequence[int]) -> None:
@@ -221,16 +228,21 @@ def _read_metrics(file: Section) -> tuple[Metric, ...]:
     return tuple(metrics)
 
 
-def _read_comparison(
-    section: Section, metrics: Sequence[Metric], axes: Sequence[Axis]
-) -> Comparison:
-    parameter = section.choice("parameter", [name for axis in axes for name in axis.names])
-    values = [
+def _values_of(parameter: str, axes: Sequence[Axis]) -> list[Any]:
+    """All that a parameter is on its axis."""
+    return [
         point[axis.names.index(parameter)]
         for axis in axes
         if parameter in axis.names
         for point in axis.points
     ]
+
+
+def _read_comparison(
+    section: Section, metrics: Sequence[Metric], axes: Sequence[Axis]
+) -> Comparison:
+    parameter = section.choice("parameter", names_of(axes))
+    values = _values_of(parameter, axes)
     sides = []
     for side in ("first", "second"):
         value = section.value(side)

@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from trident_eval.core.sweep.axes import names_of
 from trident_eval.core.sweep.comparing import Compared, compare
 from trident_eval.core.sweep.rows import DONE, RunRow
 from trident_eval.core.sweep.scenario import Scenario
@@ -27,31 +28,26 @@ def columns(scenario: Scenario, rows: Sequence[RunRow]) -> dict[str, list[Any]]:
     Parameters have `parameter.` before their names, metrics `metric.`; of failed runs they are
     empty.
     """
-    names = [*scenario.parameters, *(name for axis in scenario.axes for name in axis.names)]
-    table: dict[str, list[Any]] = {
-        "key": [row.key for row in rows],
-        "point": [row.point for row in rows],
-        "seed": [row.seed for row in rows],
-    }
-    for name in names:
+    table = _attributes(rows, ("key", "point", "seed"))
+    for name in (*scenario.parameters, *names_of(scenario.axes)):
         table[f"parameter.{name}"] = _of_one_type([row.parameters[name] for row in rows])
-    table["status"] = [row.status for row in rows]
-    table["reason"] = [row.reason for row in rows]
+    table |= _attributes(rows, ("status", "reason"))
     for metric in scenario.metrics:
         table[f"metric.{metric.name}"] = [row.metrics.get(metric.name) for row in rows]
-    for name in _TIMES:
-        table[name] = [getattr(row, name) for row in rows]
-    return table
+    return table | _attributes(rows, _TIMES)
+
+
+def _attributes(rows: Sequence[RunRow], names: Sequence[str]) -> dict[str, list[Any]]:
+    return {name: [getattr(row, name) for row in rows] for name in names}
 
 
 def _of_one_type(values: list[Any]) -> list[Any]:
     """Values as a column of a table holds them: of one scalar type, else as JSON text."""
-    if all(isinstance(value, bool) for value in values):
+    types = {type(value) for value in values}
+    if any(types <= {one} for one in (bool, int, str)):
         return values
-    if all(type(value) in (int, float) for value in values):
-        return values if all(type(value) is int for value in values) else [*map(float, values)]
-    if all(isinstance(value, str) for value in values):
-        return values
+    if types <= {int, float}:
+        return [*map(float, values)]
     return [json.dumps(value, sort_keys=True) for value in values]
 
 
