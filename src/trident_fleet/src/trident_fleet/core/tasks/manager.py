@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from trident_fleet.core.tasks.auctions import Auctions
-from trident_fleet.core.tasks.book import Holder
+from trident_fleet.core.tasks.book import Holder, Record
 from trident_fleet.core.tasks.fields import TaskError
 from trident_fleet.core.tasks.follower import Follower
 from trident_fleet.core.tasks.intake import check_tasks, refuse_bid
@@ -251,25 +251,37 @@ class Manager:
 
     def _waiting(self, now_s: float) -> list[Job]:
         """The tasks that somebody should do, and could begin."""
-        settled = now_s - self.ledger.since_s >= 2.0 * self.times.digest_s
         followed = self.ledger.quorum(self._followers)
-        waiting = []
-        for record in self.follower.book.records.values():
-            task = record.task
-            if not record.free:
-                self._auctions.running.pop(task.task_id, None)
-            elif now_s + task.duration_s > task.deadline_s:
-                self.ledger.give_up(record, f"not done by its deadline, {task.deadline_s} s")
-            elif not followed and needs_permission(task) and self._waits_long(now_s):
-                heard = f"{len(self._followers)} of {len(self.team.members)}"
-                self.ledger.reasons[task.task_id] = (
-                    f"needs that more than half of the members agree, and only {heard} are heard"
-                )
-            elif (followed or (settled and not needs_permission(task))) and self.guards.after_done(
-                task.after, self.follower.book.done()
-            ):
-                waiting.append(Job.of(task))
+        records = self.follower.book.records.values()
+        waiting = [
+            Job.of(record.task) for record in records if self._is_waiting(record, followed, now_s)
+        ]
         return sorted(waiting, key=lambda job: self._auctions.fruitless.get(job.task_id, 0))
+
+    def _is_waiting(self, record: Record, followed: bool, now_s: float) -> bool:
+        """Whether a task could begin; one that has no time left is given up, or it is said why.
+
+        Args:
+            record: of the task.
+            followed: whether more than half of the members follow this manager.
+            now_s: [s].
+        """
+        task = record.task
+        if not record.free:
+            self._auctions.running.pop(task.task_id, None)
+            return False
+        if now_s + task.duration_s > task.deadline_s:
+            self.ledger.give_up(record, f"not done by its deadline, {task.deadline_s} s")
+            return False
+        if followed or not needs_permission(task):
+            settled = followed or now_s - self.ledger.since_s >= 2.0 * self.times.digest_s
+            return settled and self.guards.after_done(task.after, self.follower.book.done())
+        if self._waits_long(now_s):
+            heard = f"{len(self._followers)} of {len(self.team.members)}"
+            self.ledger.reasons[task.task_id] = (
+                f"needs that more than half of the members agree, and only {heard} are heard"
+            )
+        return False
 
     def _waits_long(self, now_s: float) -> bool:
         return now_s - self.ledger.since_s >= self.times.patience_s
