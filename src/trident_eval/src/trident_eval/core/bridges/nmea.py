@@ -83,25 +83,36 @@ def degrees(field: str, letter: str) -> float:
     return (whole + minutes / 60.0) * (-1.0 if letter in "SW" else 1.0)
 
 
-class _Positions:
-    """Collects the positions of GGA, whose day is that of the last RMC or ZDA."""
+class _Stream:
+    """Counts sentences, and collects the positions of GGA, whose day is of the last RMC or ZDA."""
 
     def __init__(self, datum: Datum, start: datetime) -> None:
         self._datum, self._start = datum, start
         self._day: datetime | None = None
         self.rows: list[tuple[float, int, Array]] = []
+        self.sentences: Counter[str] = Counter()
+        self.wrong = self.longest = 0
 
-    def take(self, line: bytes) -> str | None:
-        """Read a line without its end; the type of its sentence, None: the line is wrong."""
+    def take(self, line: bytes) -> None:
+        """Read and count a line without its end."""
+        self.longest = max(self.longest, len(line) + 1)
         found = _LINE.fullmatch(line.decode("latin1"))
         if found is None or checksum(found["body"]) != int(found["sum"], 16):
-            return None
+            self.wrong += 1
+            return
         fields = found["body"].split(",")
         try:
             self.add(fields)
         except (IndexError, ValueError):  # a field that is not there, or says nothing
-            return None
-        return fields[0][2:]
+            self.wrong += 1
+            return
+        self.sentences[fields[0][2:]] += 1
+
+    def arrays(self) -> tuple[Array, Array, Array]:
+        """Times, shape (M,), qualities, shape (M,), and places, shape (M, 3), of all positions."""
+        time = np.array([row[0] for row in self.rows])
+        quality = np.array([row[1] for row in self.rows], float)
+        return time, quality, np.array([row[2] for row in self.rows]).reshape(-1, 3)
 
     def add(self, fields: list[str]) -> None:
         kind = fields[0][2:]
@@ -160,18 +171,14 @@ def _read(path: Path) -> NmeaLog:
         blocks = path.read_bytes().split(b"\n")
     except (OSError, KeyError, TypeError, ValueError) as error:
         raise EvalError(f"{about_path}: {error}; legal: what nmea_log.py writes") from error
-    positions = _Positions(Datum(latitude, longitude, height), start)
-    lines = blocks[:-1]  # the last one is torn by the end of the run
-    types = [positions.take(line) for line in lines]
-    sentences = Counter(found for found in types if found is not None)
-    wrong = types.count(None)
-    longest = max((len(line) + 1 for line in lines), default=0)
-    rows = positions.rows
-    time = np.array([row[0] for row in rows])
-    p_enu = np.array([row[2] for row in rows]).reshape(-1, 3)
+    stream = _Stream(Datum(latitude, longitude, height), start)
+    for block in blocks[:-1]:  # the last one is torn by the end of the run
+        stream.take(block)
+    time, quality, p_enu = stream.arrays()
     truth = _truth(path.parent / "states.csv", about["vehicle"], antenna, time)
-    quality = np.array([row[1] for row in rows], float)
-    return NmeaLog(about["vehicle"], dict(sentences), wrong, longest, time, quality, p_enu, truth)
+    sentences, wrong = dict(stream.sentences), stream.wrong
+    longest = stream.longest
+    return NmeaLog(about["vehicle"], sentences, wrong, longest, time, quality, p_enu, truth)
 
 
 def read_nmea(folder: Path) -> list[NmeaLog]:
