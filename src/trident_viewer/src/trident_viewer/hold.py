@@ -9,6 +9,7 @@ import math
 import sys
 import time
 import xmlrpc.client
+from collections.abc import Iterator
 from typing import Any
 
 import rosgraph
@@ -133,13 +134,18 @@ def _topics_not_sent_to_viewer() -> set[str] | None:
     viewers = {node for node in readers.get("/tf", []) if node.startswith("/rviz")}
     if not viewers:
         return None
+    wanted = {topic: viewers.intersection(nodes) for topic, nodes in readers.items()}
+    return set(_unsent(master, publishers, wanted))
+
+
+def _unsent(
+    master: rosgraph.Master, publishers: list[tuple[str, list[str]]], wanted: dict[str, set[str]]
+) -> Iterator[str]:
+    """Topics that a publisher does not send to all nodes that want them."""
     sent = {node: _sent_by(master, node) for _, nodes in publishers for node in nodes}
-    return {
-        topic
-        for topic, nodes in publishers
-        for viewer in viewers.intersection(readers.get(topic, []))
-        if not all((topic, viewer) in sent[node] for node in nodes)
-    }
+    for topic, nodes in publishers:
+        if not all((topic, one) in sent[node] for one in wanted.get(topic, ()) for node in nodes):
+            yield topic
 
 
 def _sent_by(master: rosgraph.Master, node: str) -> set[tuple[str, str]]:

@@ -11,6 +11,7 @@ import matplotlib
 import numpy as np
 from PIL import Image as Picture
 from PIL import ImageDraw, ImageFont
+from trident_eval.core.tracks import Array
 
 from trident_viewer.framing import Lens, Sphere, Stand, place_labels, project
 
@@ -19,6 +20,15 @@ _SMALLEST_PX, _BY_WIDTH = 11, 70
 _GAP_PX = 4
 _PAPER = (255, 255, 255, 170)
 _INK = {True: (20, 20, 20, 255), False: (95, 95, 95, 255)}
+
+
+def _tops(stand: Stand, lens: Lens, spheres: Sequence[Sphere]) -> Array:
+    """Where names belong [pixels], shape (N, 2); -1: not in the picture."""
+    tops = np.array([s.center for s in spheres], dtype=float)
+    tops[:, 2] += [s.radius_m if s.moves else 0.0 for s in spheres]
+    pixels, ahead = project(stand, lens, tops)
+    pixels[ahead <= 0.0] = -1.0
+    return pixels
 
 
 def write_names(
@@ -37,10 +47,7 @@ def write_names(
     """
     if not spheres:
         return []
-    tops = np.array([s.center for s in spheres], dtype=float)
-    tops[:, 2] += [s.radius_m if s.moves else 0.0 for s in spheres]
-    pixels, ahead = project(stand, lens, tops)
-    pixels[ahead <= 0.0] = -1.0
+    pixels = _tops(stand, lens, spheres)
     size = max(_SMALLEST_PX, lens.width // _BY_WIDTH)
     font = ImageFont.truetype(str(Path(matplotlib.get_data_path()) / _FONT), size)
     boxes = [font.getbbox(s.name) for s in spheres]

@@ -11,7 +11,7 @@ from __future__ import annotations
 import argparse
 import math
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +22,7 @@ from trident_eval.core.errors import EvalError
 
 from trident_ros import init_node
 from trident_viewer.census import models_in_the_world
-from trident_viewer.framing import Lens, Sphere, all_inside, frame
+from trident_viewer.framing import Lens, Sphere, Stand, all_inside, frame
 from trident_viewer.hold import Held
 from trident_viewer.launch_nodes import wait_for_nodes
 from trident_viewer.names import write_names
@@ -100,8 +100,7 @@ def _stream(lens: Lens) -> int:
 def _publish(lens: Lens, publisher: rospy.Publisher) -> None:
     """Pictures from one place, for as long as all is seen from there."""
     shown = what_to_show(models_in_the_world())
-    stands = [frame(shown, lens, math.radians(yaw), math.radians(down)) for yaw, down in _SIDES]
-    stand = best_of(stands, lens, shown, None)
+    stand = best_of(_stands(lens, shown), lens, shown, None)
     view = View(stand.place, stand.target, lens.width, lens.height, lens.fov_rad, _STREAM_HZ)
     with Observer(view) as observer:
         while not rospy.is_shutdown():
@@ -130,12 +129,28 @@ def what_to_show(models: Sequence[Sphere]) -> list[Sphere]:
     """
     if not models:
         raise EvalError("the world is empty: there is nothing to be seen")
-    moving = [model for model in models if model.moves]
-    robots = [model for model in moving if model.has_joints]
-    shown = robots or moving or list(models)
+    shown = _subjects(models)
     middle = np.median([model.center for model in shown], axis=0)
     near = [model for model in shown if math.dist(model.center, middle) <= _LOST_M]
     return near or shown
+
+
+def _subjects(models: Sequence[Sphere]) -> list[Sphere]:
+    moving = [model for model in models if model.moves]
+    return [model for model in moving if model.has_joints] or moving or list(models)
+
+
+def _best_stand(lens: Lens, step: Callable[[], None] | None) -> Stand:
+    """From where what is to be shown is seen best; of scenery its features."""
+    shown = what_to_show(models_in_the_world())
+    if not shown[0].moves:
+        middle = np.mean([sphere.center for sphere in shown], axis=0)
+        shown = features(tuple(middle.tolist()), step) or shown
+    return best_of(_stands(lens, shown), lens, shown, step)
+
+
+def _stands(lens: Lens, shown: Sequence[Sphere]) -> list[Stand]:
+    return [frame(shown, lens, math.radians(yaw), math.radians(down)) for yaw, down in _SIDES]
 
 
 def _take(lens: Lens, held: Held | None, at_s: float | None, out: Path) -> float:
@@ -144,13 +159,7 @@ def _take(lens: Lens, held: Held | None, at_s: float | None, out: Path) -> float
     if held is not None:
         end_s = held.time_s + _AHEAD_S if at_s is None else at_s
         held.advance_to(max(end_s - _AHEAD_S, held.time_s), _PACE)
-    step = None if held is None else held.step_once
-    shown = what_to_show(models_in_the_world())
-    if not shown[0].moves:
-        middle = np.mean([sphere.center for sphere in shown], axis=0)
-        shown = features(tuple(middle.tolist()), step) or shown
-    stands = [frame(shown, lens, math.radians(yaw), math.radians(down)) for yaw, down in _SIDES]
-    stand = best_of(stands, lens, shown, step)
+    stand = _best_stand(lens, None if held is None else held.step_once)
     if held is not None:
         held.advance_to(max(end_s - held.dt_s, held.time_s), _PACE)
     view = View(stand.place, stand.target, lens.width, lens.height, lens.fov_rad, rate_hz=1000.0)
