@@ -34,6 +34,11 @@ def answers(uri: str) -> bool:
         return False
 
 
+def _names_with(node: str, group: list[tuple[str, list[str]]]) -> list[str]:
+    """The topics or services of a group of the master's state that a node has."""
+    return [name for name, nodes in group if node in nodes]
+
+
 class RosProcesses:
     """A master on a free port, and plain processes under it; no node of this process.
 
@@ -193,13 +198,16 @@ class Ros(RosProcesses):
             code, _, uri = self.master.lookupNode(CALLER, node)
             if code == 1 and answers(uri):
                 continue
-            for topic in (topic for topic, nodes in publishers if node in nodes):
+            for topic in _names_with(node, publishers):
                 self.master.unregisterPublisher(node, topic, uri)
-            for topic in (topic for topic, nodes in subscribers if node in nodes):
+            for topic in _names_with(node, subscribers):
                 self.master.unregisterSubscriber(node, topic, uri)
-            for service in (service for service, nodes in services if node in nodes):
-                service_uri = self.master.lookupService(CALLER, service)[2]
-                self.master.unregisterService(node, service, service_uri)
+            self._unregister_services(node, _names_with(node, services))
+
+    def _unregister_services(self, node: str, services: list[str]) -> None:
+        for service in services:
+            service_uri = self.master.lookupService(CALLER, service)[2]
+            self.master.unregisterService(node, service, service_uri)
 
     def kill(self, process: Process) -> None:
         """Kill -9."""

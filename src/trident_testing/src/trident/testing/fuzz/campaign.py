@@ -149,15 +149,7 @@ class Campaign:
         self._caller = ThreadPoolExecutor(1)
         try:
             self._connect(publishers)
-            for number in range(self._options.first, self._options.first + self._options.messages):
-                if not self._send(number, publishers):
-                    break
-                if number % self._options.batch == 0:
-                    if self._meanwhile is not None:
-                        self._meanwhile()
-                    self._target.settle()
-                if number % 100 == 0:
-                    self._check_memory(memory)
+            self._send_all(publishers, memory)
             self._target.settle()
             self._check_life()
         finally:
@@ -169,6 +161,17 @@ class Campaign:
         self._check_memory(memory)
         self._findings.seconds = time.monotonic() - begin
         return self._findings
+
+    def _send_all(self, publishers: dict[str, rospy.Publisher], memory: float) -> None:
+        for number in range(self._options.first, self._options.first + self._options.messages):
+            if not self._send(number, publishers):
+                break
+            if number % self._options.batch == 0:
+                if self._meanwhile is not None:
+                    self._meanwhile()
+                self._target.settle()
+            if number % 100 == 0:
+                self._check_memory(memory)
 
     def _connect(self, publishers: dict[str, rospy.Publisher]) -> None:
         """Wait for the node on every topic; drop those that it has closed meanwhile."""

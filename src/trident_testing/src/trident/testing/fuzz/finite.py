@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import genpy
@@ -33,13 +33,21 @@ def _found(value: Any, path: str) -> Iterator[str]:
         if not math.isfinite(value):
             yield f"{path} is {value}"
     elif isinstance(value, genpy.Message):
-        for name, kind in zip(value.__slots__, value._slot_types, strict=True):
-            if kind.startswith(("uint", "int", "string", "bool", "time", "duration")):
-                continue
-            if (value._type, name) not in _MEANT:
-                yield from _found(getattr(value, name), f"{path}.{name}" if path else name)
+        yield from _found_in_message(value, path)
     elif isinstance(value, (list, tuple)):
-        if value and isinstance(value[0], float) and all(map(math.isfinite, value)):
-            return
-        for index, item in enumerate(value):
-            yield from _found(item, f"{path}[{index}]")
+        yield from _found_in_list(value, path)
+
+
+def _found_in_message(message: genpy.Message, path: str) -> Iterator[str]:
+    for name, kind in zip(message.__slots__, message._slot_types, strict=True):
+        if kind.startswith(("uint", "int", "string", "bool", "time", "duration")):
+            continue
+        if (message._type, name) not in _MEANT:
+            yield from _found(getattr(message, name), f"{path}.{name}" if path else name)
+
+
+def _found_in_list(values: Sequence[Any], path: str) -> Iterator[str]:
+    if values and isinstance(values[0], float) and all(map(math.isfinite, values)):
+        return
+    for index, item in enumerate(values):
+        yield from _found(item, f"{path}[{index}]")

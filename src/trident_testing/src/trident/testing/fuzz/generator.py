@@ -84,7 +84,7 @@ class Generator:
                 value.stamp = self._stamp_now()
             elif isinstance(value, genpy.Message):
                 self.stamp(value)
-            elif isinstance(value, list) and value and isinstance(value[0], genpy.Message):
+            elif _are_messages(value):
                 for item in value:
                     self.stamp(item)
 
@@ -97,20 +97,19 @@ class Generator:
         value = getattr(message, name)
         if isinstance(value, genpy.Message) and self._random.random() < 0.9:
             self._hit(value)
-        elif (
-            isinstance(value, list)
-            and value
-            and isinstance(value[0], genpy.Message)
-            and self._random.random() < 0.8
-        ):
+        elif _are_messages(value) and self._random.random() < 0.8:
             self._hit(self._random.choice(value))
-        elif isinstance(value, (list, tuple)) and value and self._random.random() < 0.7:
+        else:
+            setattr(message, name, self._replaced(value, type_name))
+
+    def _replaced(self, value: Any, type_name: str) -> Any:
+        """Another value of a field; of a list mostly the same with another item."""
+        if isinstance(value, (list, tuple)) and value and self._random.random() < 0.7:
             items = list(value)
             base, _, _ = genmsg.msgs.parse_type(type_name)
             items[self._random.randrange(len(items))] = self._hostile(base)
-            setattr(message, name, items)
-        else:
-            setattr(message, name, self._hostile(type_name))
+            return items
+        return self._hostile(type_name)
 
     def _hostile(self, type_name: str) -> Any:
         rate, self._rate = self._rate, 1.0
@@ -136,16 +135,15 @@ class Generator:
         if values.is_whole_number(kind):
             plausible = lambda: values.fits(kind, self._random.randint(0, 5))  # noqa: E731
             return self._either(values.whole_numbers(kind), plausible)
-        if kind == "string":
-            return self._text
-        if kind == "time":
-            return self._time
-        if kind == "duration":
-            return self._duration
-        if kind == "geometry_msgs/Quaternion":
-            return self._quaternion
-        if kind in ("Header", "std_msgs/Header"):
-            kind = "std_msgs/Header"
+        makers: dict[str, Make] = {
+            "string": self._text,
+            "time": self._time,
+            "duration": self._duration,
+            "geometry_msgs/Quaternion": self._quaternion,
+        }
+        if kind in makers:
+            return makers[kind]
+        kind = "std_msgs/Header" if kind == "Header" else kind
         message_class = roslib.message.get_message_class(kind)
         assert message_class is not None, f"there is no message {kind}"
         return lambda: self.message(message_class)
@@ -217,6 +215,10 @@ class Generator:
         half = self._random.uniform(-1.6, 1.6)
         message.z, message.w = math.sin(half), math.cos(half)
         return message
+
+
+def _are_messages(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and isinstance(value[0], genpy.Message)
 
 
 def _with_parts(value: Any, parts: tuple[int, int]) -> Any:

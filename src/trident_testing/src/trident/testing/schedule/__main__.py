@@ -35,12 +35,20 @@ def main(arguments: list[str] | None = None) -> int:
     done = _read(options.out)
     try:
         for name, seed in _plan(names, options.runs, options.first_seed):
-            if (name, seed) not in {(one["scenario"], one["seed"]) for one in done}:
-                wanted = {one["state_hash"] for one in done if one["scenario"] == name}
-                done.append(_run(name, scenarios[name], seed, wanted, options))
+            if not _is_done(name, seed, done):
+                done.append(_run(name, scenarios[name], seed, _hashes(name, done), options))
     except KeyboardInterrupt:
         print("schedule: stopped; the same call continues", file=sys.stderr)
     return _summary(done)
+
+
+def _is_done(name: str, seed: int, done: list[dict[str, Any]]) -> bool:
+    return any((one["scenario"], one["seed"]) == (name, seed) for one in done)
+
+
+def _hashes(name: str, done: list[dict[str, Any]]) -> set[str]:
+    """The states in which the runs of a scenario have ended so far."""
+    return {one["state_hash"] for one in done if one["scenario"] == name}
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -109,13 +117,17 @@ def _summary(done: list[dict[str, Any]]) -> int:
     is_good = True
     for name in dict.fromkeys(one["scenario"] for one in done):
         runs = [one for one in done if one["scenario"] == name]
-        hashes = Counter(one["state_hash"] for one in runs)
-        bad = [one["seed"] for one in runs if not (one["passed"] and one["repeatable"])]
-        good = len(hashes) == 1 and not bad and "" not in hashes
-        is_good = is_good and good
-        counted = ", ".join(f"{key[:8] or 'none'} x {count}" for key, count in hashes.most_common())
-        print(f"{name}: {len(runs)} runs, hashes {counted}; not good: {bad or 'none'}")
+        is_good = _report(name, runs) and is_good
     return 0 if is_good else 1
+
+
+def _report(name: str, runs: list[dict[str, Any]]) -> bool:
+    """Print what came of a scenario; whether all runs have passed and ended in one state."""
+    hashes = Counter(one["state_hash"] for one in runs)
+    bad = [one["seed"] for one in runs if not (one["passed"] and one["repeatable"])]
+    counted = ", ".join(f"{key[:8] or 'none'} x {count}" for key, count in hashes.most_common())
+    print(f"{name}: {len(runs)} runs, hashes {counted}; not good: {bad or 'none'}")
+    return not bad and len(hashes) == 1 and "" not in hashes
 
 
 if __name__ == "__main__":

@@ -113,7 +113,11 @@ def _name_of(process: int) -> str:
     with suppress(OSError):
         words = Path(f"/proc/{process}/cmdline").read_bytes().decode("utf-8", "replace").split("\0")
         programs = [Path(word).name for word in words[:2] if word]
-        node = next((word[len("__name:=") :] for word in words if word.startswith("__name:=")), "")
-        space = next((word for word in words if word.startswith("_UAV:=")), "")
-        return " ".join(part for part in (programs[-1] if programs else "", node, space) if part)
+        node = _first_with("__name:=", words).removeprefix("__name:=")
+        space = _first_with("_UAV:=", words)
+        return " ".join(part for part in (*programs[-1:], node, space) if part)
     return str(process)
+
+
+def _first_with(prefix: str, words: list[str]) -> str:
+    return next((word for word in words if word.startswith(prefix)), "")
