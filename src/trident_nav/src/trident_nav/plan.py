@@ -399,19 +399,29 @@ def run(options: argparse.Namespace) -> int:
     plans = {name: find_plan(options, name) for name in names}
     for name, plan in plans.items():
         print(_line(name, plan))
-    first = plans[names[0]]
     poses = [_pose(options.start), _pose(options.goal)]
-    if options.out is not None and len(plans) > 1:
-        draw_all(plans, poses, _scale_of(first)).save(options.out)
-    elif options.out is not None:
-        draw(first, poses, _scale_of(first)).save(options.out)
+    if options.out is not None:
+        _draw_plans(plans, poses, options.out)
     if options.layers is not None:
         draw_layers(options, names[0]).save(options.layers)
     if options.json is not None:
-        written = {name: plan.path.tolist() for name, plan in plans.items()}
-        only = written if len(written) > 1 else written[names[0]]
-        options.json.write_text(json.dumps(only) + "\n", encoding="utf-8")
+        _write_paths(plans, options.json)
     return 0 if all(plan.found for plan in plans.values()) else 1
+
+
+def _draw_plans(plans: dict[str, Plan], poses: list[list[float]], out: Path) -> None:
+    """One plan alone, several together."""
+    first = next(iter(plans.values()))
+    if len(plans) > 1:
+        draw_all(plans, poses, _scale_of(first)).save(out)
+    else:
+        draw(first, poses, _scale_of(first)).save(out)
+
+
+def _write_paths(plans: dict[str, Plan], out: Path) -> None:
+    paths = {name: plan.path.tolist() for name, plan in plans.items()}
+    only = paths if len(paths) > 1 else next(iter(paths.values()))
+    out.write_text(json.dumps(only) + "\n", encoding="utf-8")
 
 
 def main(words: Sequence[str] | None = None) -> int:
