@@ -71,13 +71,7 @@ class TeamEnv(ParallelEnv, abc.ABC):  # type: ignore[misc]
         Raises:
             trident_sim.Error: an agent has no action, or one that is not finite.
         """
-        missing = [name for name in self.agents if name not in actions]
-        if missing or not self.agents:
-            raise Error(f"step: no action of {missing}, legal: after reset(), one of each agent")
-        rows = np.array([actions[name] for name in self.agents], dtype=np.float32)
-        if rows.shape != (len(self.agents), *self._action.shape) or not np.isfinite(rows).all():
-            raise Error(f"step: actions are {rows.tolist()}, legal: {self._action.shape}, finite")
-        observations, rewards, ended = self._act(rows)
+        observations, rewards, ended = self._act(self._rows(actions))
         self._count += 1
         cut = self._count >= self.limit and not ended
         result: Result = (
@@ -90,6 +84,17 @@ class TeamEnv(ParallelEnv, abc.ABC):  # type: ignore[misc]
         if ended or cut:
             self.agents = []
         return result
+
+    def _rows(self, actions: ByAgent) -> Floats:
+        """The actions of all agents, shape (agents, n)."""
+        missing = [name for name in self.agents if name not in actions]
+        if missing or not self.agents:
+            raise Error(f"step: no action of {missing}, legal: after reset(), one of each agent")
+        rows = np.array([actions[name] for name in self.agents], dtype=np.float32)
+        shape = (len(self.agents), *self._action.shape)
+        if rows.shape != shape or not np.isfinite(rows).all():
+            raise Error(f"step: actions are {rows.tolist()}, legal: {self._action.shape}, finite")
+        return rows
 
     def _by_agent(self, rows: Floats) -> ByAgent:
         return dict(zip(self.possible_agents, rows, strict=True))
