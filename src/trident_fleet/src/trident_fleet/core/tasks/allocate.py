@@ -64,11 +64,7 @@ def allocate(
         TaskError: of a task that is not legal.
     """
     check_tasks(tasks, {}, {name: can for name, (can, _) in robots.items()})
-    travels = travel if isinstance(travel, Mapping) else dict.fromkeys(robots, travel)
-    plans = {
-        name: Plan(name, can, place, travels[name], objective)
-        for name, (can, place) in robots.items()
-    }
+    plans = _plans(robots, objective, travel)
     waiting = [Job.of(task) for task in tasks if not is_bound(task)]
     messages = _auctions(plans, waiting, method)
     if isinstance(method, Improved):
@@ -76,6 +72,19 @@ def allocate(
         messages += method.refine(list(plans.values()), limit)
     messages += give_bound(plans, [task for task in tasks if is_bound(task)], waiting, method)
     return _result(plans, waiting, messages)
+
+
+def _plans(
+    robots: dict[str, tuple[Capabilities, Point]],
+    objective: Objective,
+    travel: Travel | Mapping[str, Travel],
+) -> dict[str, Plan]:
+    """Of robots that have no task yet."""
+    travels = travel if isinstance(travel, Mapping) else dict.fromkeys(robots, travel)
+    return {
+        name: Plan(name, can, place, travels[name], objective)
+        for name, (can, place) in robots.items()
+    }
 
 
 def _auctions(plans: dict[str, Plan], waiting: list[Job], method: Method) -> int:
