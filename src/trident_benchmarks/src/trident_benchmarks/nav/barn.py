@@ -25,7 +25,15 @@ from trident_benchmarks.nav.fields import (
 )
 from trident_benchmarks.nav.launch_files import launch_parameters, node_parameters
 from trident_benchmarks.nav.limits import RobotLimits
-from trident_benchmarks.nav.trials import JACKAL, Outcome, Task, Trials, default_parameters
+from trident_benchmarks.nav.trials import (
+    JACKAL,
+    Outcome,
+    Task,
+    Trials,
+    default_parameters,
+    failures,
+    recoveries,
+)
 from trident_benchmarks.results import say
 
 DATA = "TRIDENT_DATA"
@@ -93,7 +101,7 @@ def world_row(field: Field, runs: Sequence[Outcome]) -> dict[str, Any]:
         "success": statistics.fmean(o.is_success for o in runs),
         "collision": statistics.fmean(o.end == "collided" for o in runs),
         "times_s": [round(o.time_s, 3) for o in runs],
-        "failures": [f"seed {o.seed}: {o.end}: {o.text}" for o in runs if not o.is_success],
+        "failures": failures(runs),
     }
 
 
@@ -101,18 +109,23 @@ def row_of(fields: Sequence[Field], outcomes: Sequence[Sequence[Outcome]]) -> di
     """The means over worlds of the means over their runs; the time is that of all successes."""
     worlds = [world_row(field, runs) for field, runs in zip(fields, outcomes, strict=True)]
     every = list(itertools.chain.from_iterable(outcomes))
-    driven_s = sum(o.time_s for o in every)
     row: dict[str, Any] = {"suite": "barn", "system": "this one"}
     for key in ("metric", "success", "collision"):
         row[key] = statistics.fmean(world[key] for world in worlds)
     return row | {
         "mean_time_s": _mean([o.time_s for o in every if o.is_success]),
         "runs": len(every),
-        "recoveries": sum(len(o.recoveries) for o in every),
-        "cpu_s_per_s": sum(o.cpu_s for o in every) / driven_s if driven_s else None,
+        "recoveries": recoveries(every),
+        "cpu_s_per_s": _cpu_s_per_s(every),
         "unit": "metric, success, collision: 1; mean_time_s: s",
         "worlds": worlds,
     }
+
+
+def _cpu_s_per_s(runs: Sequence[Outcome]) -> float | None:
+    """CPU time per simulated second; None: nothing was driven."""
+    driven_s = sum(o.time_s for o in runs)
+    return sum(o.cpu_s for o in runs) / driven_s if driven_s else None
 
 
 def _mean(values: Sequence[float]) -> float | None:

@@ -21,7 +21,16 @@ from trident_benchmarks.nav.box_robot import BOX, LENGTH_M, WIDTH_M, limits_file
 from trident_benchmarks.nav.goals import Pose
 from trident_benchmarks.nav.limits import RobotLimits
 from trident_benchmarks.nav.tours import chosen_robots
-from trident_benchmarks.nav.trials import CAR, Outcome, Robot, Task, Trials, default_parameters
+from trident_benchmarks.nav.trials import (
+    CAR,
+    Outcome,
+    Robot,
+    Task,
+    Trials,
+    default_parameters,
+    failures,
+    recoveries,
+)
 from trident_benchmarks.results import say
 
 Box = tuple[float, float, float, float, float]  # x, y [m], yaw [rad], length, width [m]
@@ -225,19 +234,19 @@ def judged(run: Outcome, limits: RobotLimits) -> Outcome:
 
 def row_of(scene: Scene, runs: Sequence[Outcome]) -> dict[str, Any]:
     """What came of all seeds of a scene."""
-    reached = [run for run in runs if run.is_success]
+    times_s = [run.time_s for run in runs if run.is_success]
     return {
         "suite": "tight",
         "scene": scene.name,
         "robot": scene.robot.name,
-        "reached": len(reached),
+        "reached": len(times_s),
         "runs": len(runs),
         "needed": math.ceil(scene.needed * len(runs) - 1e-9),
         "contacts": sum(run.end == "collided" for run in runs),
-        "recoveries": sum(len(run.recoveries) for run in runs),
-        "mean_time_s": float(np.mean([run.time_s for run in reached])) if reached else None,
+        "recoveries": recoveries(runs),
+        "mean_time_s": float(np.mean(times_s)) if times_s else None,
         "least_speed_m_s": min(run.least_speed_m_s for run in runs),
-        "failures": [f"seed {r.seed}: {r.end}: {r.text}" for r in runs if not r.is_success],
+        "failures": failures(runs),
         "unit": "mean_time_s: s, of successes",
     }
 

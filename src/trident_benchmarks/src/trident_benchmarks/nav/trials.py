@@ -228,6 +228,16 @@ class Outcome:
         return self.end == "reached"
 
 
+def failures(runs: Sequence[Outcome]) -> list[str]:
+    """What came of the runs that were no success, in words."""
+    return [f"seed {run.seed}: {run.end}: {run.text}" for run in runs if not run.is_success]
+
+
+def recoveries(runs: Sequence[Outcome]) -> int:
+    """Of all runs together."""
+    return sum(len(run.recoveries) for run in runs)
+
+
 def default_parameters(robot: Robot, has_map: bool = False) -> list[Path]:
     """The files of parameters of a robot; later ones win."""
     folder = package_folder("trident_bringup") / _CONFIG

@@ -51,10 +51,14 @@ def optimum_row(trials: Sequence[dict[str, Any]]) -> dict[str, Any]:
     }
 
 
+def _those(trials: Sequence[dict[str, Any]], key: str) -> list[dict[str, Any]]:
+    """The trials of which something is true."""
+    return [trial for trial in trials if trial[key]]
+
+
 def random_row(trials: Sequence[dict[str, Any]]) -> dict[str, Any]:
     """How many of the random problems are solved, and by how much plans miss their limits."""
-    solved = [trial for trial in trials if trial["is_feasible"]]
-    shown = [trial for trial in trials if trial["is_shown_feasible"]]
+    solved, shown = _those(trials, "is_feasible"), _those(trials, "is_shown_feasible")
     missed = [trial["seed"] for trial in shown if not trial["is_feasible"]]
     share = 1.0 - len(missed) / len(shown) if shown else 0.0
     worst = max((trial["excess"] for trial in solved), default=0.0)
