@@ -67,16 +67,20 @@ def read_numbers(path: Path, columns: int, meaning: str) -> Array:
         words = line.partition("#")[0].replace(",", " ").split()
         if not words:
             continue
-        try:
-            row = [float(word) for word in words]
-        except ValueError as error:
-            raise EvalError(f"{path}:{number}: {error}; legal: {meaning}") from error
+        row = _row(words, f"{path}:{number}", meaning)
         if len(row) != columns or not np.isfinite(row).all():
             raise EvalError(f"{path}:{number}: {line.strip()!r} is not legal; legal: {meaning}")
         rows.append(row)
     if not rows:
         raise EvalError(f"{path}: has no row; legal: {meaning}")
     return np.array(rows)
+
+
+def _row(words: list[str], where: str, meaning: str) -> list[float]:
+    try:
+        return [float(word) for word in words]
+    except ValueError as error:
+        raise EvalError(f"{where}: {error}; legal: {meaning}") from error
 
 
 def _read_lines(path: Path, meaning: str) -> list[str]:
