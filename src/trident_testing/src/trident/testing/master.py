@@ -34,6 +34,11 @@ def answers(uri: str) -> bool:
         return False
 
 
+def _nodes_of(*entries: tuple[str, list[str]]) -> set[str]:
+    """All nodes of entries of the master's state."""
+    return {node for _, nodes in entries for node in nodes}
+
+
 def _names_with(node: str, group: list[tuple[str, list[str]]]) -> list[str]:
     """The topics or services of a group of the master's state that a node has."""
     return [name for name, nodes in group if node in nodes]
@@ -192,9 +197,7 @@ class Ros(RosProcesses):
     def _forget_dead_nodes(self) -> None:
         """Unregister what a kill -9 left behind, so that no test finds another one's nodes."""
         publishers, subscribers, services = self.master.getSystemState(CALLER)[2]
-        groups = (publishers, subscribers, services)
-        names = {node for group in groups for _, nodes in group for node in nodes}
-        for node in names - {CALLER}:
+        for node in _nodes_of(*publishers, *subscribers, *services) - {CALLER}:
             code, _, uri = self.master.lookupNode(CALLER, node)
             if code == 1 and answers(uri):
                 continue

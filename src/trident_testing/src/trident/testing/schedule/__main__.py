@@ -11,6 +11,7 @@ import signal
 import sys
 import tempfile
 from collections import Counter
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -34,12 +35,22 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     done = _read(options.out)
     try:
-        for name, seed in _plan(names, options.runs, options.first_seed):
-            if not _is_done(name, seed, done):
-                done.append(_run(name, scenarios[name], seed, _hashes(name, done), options))
+        _run_the_rest(names, scenarios, done, options)
     except KeyboardInterrupt:
         print("schedule: stopped; the same call continues", file=sys.stderr)
     return _summary(done)
+
+
+def _run_the_rest(
+    names: list[str],
+    scenarios: Mapping[str, Scenario],
+    done: list[dict[str, Any]],
+    options: argparse.Namespace,
+) -> None:
+    """Make the runs that are not among those that are done, to which they are added."""
+    for name, seed in _plan(names, options.runs, options.first_seed):
+        if not _is_done(name, seed, done):
+            done.append(_run(name, scenarios[name], seed, _hashes(name, done), options))
 
 
 def _is_done(name: str, seed: int, done: list[dict[str, Any]]) -> bool:
@@ -125,9 +136,12 @@ def _report(name: str, runs: list[dict[str, Any]]) -> bool:
     """Print what came of a scenario; whether all runs have passed and ended in one state."""
     hashes = Counter(one["state_hash"] for one in runs)
     bad = [one["seed"] for one in runs if not (one["passed"] and one["repeatable"])]
-    counted = ", ".join(f"{key[:8] or 'none'} x {count}" for key, count in hashes.most_common())
-    print(f"{name}: {len(runs)} runs, hashes {counted}; not good: {bad or 'none'}")
-    return not bad and len(hashes) == 1 and "" not in hashes
+    print(f"{name}: {len(runs)} runs, hashes {_counted(hashes)}; not good: {bad or 'none'}")
+    return not bad and list(hashes) != [""] and len(hashes) == 1
+
+
+def _counted(hashes: Counter[str]) -> str:
+    return ", ".join(f"{key[:8] or 'none'} x {count}" for key, count in hashes.most_common())
 
 
 if __name__ == "__main__":
