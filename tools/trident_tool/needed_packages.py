@@ -99,8 +99,7 @@ def needed_packages(
     if needed & _START_OTHERS:
         return None
     if _SIMULATOR in needed:
-        whole = {name for name in _plugin_packages(packages) if not packages[name].plugin_folder}
-        needed |= _with_all_they_run_with(whole, packages)
+        needed |= _with_all_they_run_with(_whole_plugin_packages(packages), packages)
     return needed | (set(facts["found"]) & set(packages))
 
 
@@ -117,6 +116,11 @@ def _plugin_packages(packages: Mapping[str, Package]) -> set[str]:
     """Packages of the workspace with plugins of the simulator."""
     plugins = {name for name, one in packages.items() if _SIMULATOR in one.builds_with}
     return plugins - _NO_PLUGINS
+
+
+def _whole_plugin_packages(packages: Mapping[str, Package]) -> set[str]:
+    """Those whose plugins have no folder of their own."""
+    return {name for name in _plugin_packages(packages) if not packages[name].plugin_folder}
 
 
 def _with_all_they_run_with(names: set[str], packages: Mapping[str, Package]) -> set[str]:

@@ -98,6 +98,11 @@ class ViewOptions:
         return not (self.words and self.words[0].endswith(".bag"))
 
 
+def _default_config(known: list[Path]) -> Path | None:
+    default = [path for path in known if path.stem == _DEFAULT]
+    return next(iter(default + known), None)
+
+
 def pick_config(workspace: Workspace, name: str | None) -> Path | None:
     """The rviz configuration ``name`` of config/rviz; None: ``default``, or the first one there.
 
@@ -107,8 +112,7 @@ def pick_config(workspace: Workspace, name: str | None) -> Path | None:
     folder = workspace.root / "config" / "rviz"
     known = sorted(folder.glob("*.rviz"))
     if name is None:
-        default = [path for path in known if path.stem == _DEFAULT]
-        return next(iter(default + known), None)
+        return _default_config(known)
     if Path(name).is_file():
         return _checked(Path(name))
     for path in known:
