@@ -38,13 +38,17 @@ def check_plan(plan: Any) -> list[list[float]]:
         rows = [[float(value) for value in row] for row in plan]
     except (TypeError, ValueError) as error:
         raise ValueError(f"~plan is {plan!r}, legal: a list of [time, left, right]") from error
-    sizes = [len(row) for row in rows]
-    times = [row[0] for row in rows if row]
-    if not rows or any(size != 3 for size in sizes[:-1]) or sizes[-1] not in (1, 3):
+    if not _are_whole([len(row) for row in rows]):
         raise ValueError(f"~plan is {plan!r}, legal: [time, left, right], at last [time]")
+    times = [row[0] for row in rows]
     if times != sorted(times):
         raise ValueError(f"~plan is {plan!r}, legal: times that grow")
     return rows
+
+
+def _are_whole(sizes: list[int]) -> bool:
+    """Whether rows of these lengths have what they must, of which the last one may be a time."""
+    return bool(sizes) and all(size == 3 for size in sizes[:-1]) and sizes[-1] in (1, 3)
 
 
 def rules_of(path: str) -> tuple[list[float], float]:
