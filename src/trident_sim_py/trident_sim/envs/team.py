@@ -71,7 +71,7 @@ class TeamEnv(ParallelEnv, abc.ABC):  # type: ignore[misc]
         Raises:
             trident_sim.Error: an agent has no action, or one that is not finite.
         """
-        observations, rewards, ended = self._act(self._rows(actions))
+        observations, rewards, ended = self._act(self._checked(actions))
         self._count += 1
         cut = self._count >= self.limit and not ended
         result: Result = (
@@ -85,7 +85,7 @@ class TeamEnv(ParallelEnv, abc.ABC):  # type: ignore[misc]
             self.agents = []
         return result
 
-    def _rows(self, actions: ByAgent) -> Floats:
+    def _checked(self, actions: ByAgent) -> Floats:
         """The actions of all agents, shape (agents, n)."""
         missing = [name for name in self.agents if name not in actions]
         if missing or not self.agents:
