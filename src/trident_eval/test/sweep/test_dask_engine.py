@@ -36,3 +36,15 @@ def test_unlike_workers_are_named_by_what_differs() -> None:
     assert unlike(ours, dict(ours)) == ""
     assert unlike(ours, {"code": "b", "numpy": "1.24.2"}) == "code: b instead of a"
     assert unlike(ours, {"code": "a"}) == "numpy: none instead of 1.24.2"
+
+
+def test_a_cluster_that_is_slow_to_end_does_not_fail_a_sweep() -> None:
+    waited = []
+
+    class Slow:
+        def close(self, timeout: float) -> None:
+            waited.append(timeout)
+            raise TimeoutError(f"timed out after {timeout} s.")
+
+    dask_engine.end_in_time(Slow())
+    assert len(waited) == 1

@@ -22,7 +22,7 @@ from trident_eval.core.sweep.rows import all_rows, read_row, row_path
 from trident_eval.core.sweep.scenario import Scenario, read_scenario
 from trident_eval.options import add_sweep
 from trident_eval.sweep.code_version import code_version
-from trident_eval.sweep.dask_engine import DaskEngine, start_cluster
+from trident_eval.sweep.dask_engine import DaskEngine, end_in_time, start_cluster
 from trident_eval.sweep.engine import Engine
 from trident_eval.sweep.folder import note_of_change, opened, write_facts
 from trident_eval.sweep.local_engine import LocalEngine
@@ -62,7 +62,7 @@ def _serve(options: argparse.Namespace) -> int:
     print(f"./trident sweep SCENARIO.yaml --engine dask:{cluster.scheduler_address}", flush=True)
     with contextlib.suppress(KeyboardInterrupt):
         signal.pause()
-    cluster.close(timeout=2)
+    end_in_time(cluster)
     return DONE
 
 

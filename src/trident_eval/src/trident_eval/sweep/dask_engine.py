@@ -8,6 +8,7 @@ its own, so that a run is a process of its own here, too.
 
 from __future__ import annotations
 
+import contextlib
 import queue
 import sys
 from collections.abc import Iterator
@@ -22,6 +23,7 @@ from trident_eval.sweep.code_version import machine_facts, unlike
 from trident_eval.sweep.local_engine import LocalEngine
 
 _CONNECT_S = 30
+_CLOSE_S = 2  # wall time; whoever interrupts a sweep has it ended within 3 s
 _INSTALL = "pip install dask distributed"
 _POLL_S = 3600.0
 _servers: dict[tuple[str, str], LocalEngine] = {}  # of this process, where it is a worker
@@ -121,9 +123,9 @@ class DaskEngine:
 
     def close(self) -> None:
         """Ends the connection, and the cluster if it was started here."""
-        self._client.close(timeout=2)
+        end_in_time(self._client)
         if self._cluster is not None:
-            self._cluster.close(timeout=2)
+            end_in_time(self._cluster)
 
     def _take(self, key: str, future: Any) -> str:
         job, _ = self._submitted.pop(key, (None, None))
@@ -151,6 +153,15 @@ class DaskEngine:
         if not chosen:
             raise EvalError("no worker is like this machine")
         return chosen
+
+
+def end_in_time(ended: Any) -> None:
+    """Closes a client or cluster; what takes long ends with this process, whose child it is.
+
+    All rows are written by then, so that a machine with no time to spare is no reason to fail.
+    """
+    with contextlib.suppress(TimeoutError):
+        ended.close(timeout=_CLOSE_S)
 
 
 def start_cluster(workers: int, port: int = 0) -> Any:
