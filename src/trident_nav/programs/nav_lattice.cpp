@@ -23,34 +23,44 @@ double number_of(const std::string& option, const std::string& text) {
   return value;
 }
 
-int run(int argc, char** argv) {
-  trident::nav::LatticeOptions options;
-  std::string out;
-  for (int i = 1; i < argc; i += 2) {
-    const std::string option = argv[i];
-    if (i + 1 == argc) throw Error(option + ": needs a value");
-    const std::string value = argv[i + 1];
-    if (option == "--model") {
-      options.motion_model = value;
-    } else if (option == "--radius") {
-      options.turning_radius_m = number_of(option, value);
-    } else if (option == "--resolution") {
-      options.resolution_m = number_of(option, value);
-    } else if (option == "--headings") {
-      options.headings = static_cast<int>(number_of(option, value));
-    } else if (option == "--out") {
-      out = value;
-    } else {
-      throw Error(option + ": legal: --model, --radius, --resolution, --headings, --out");
-    }
+struct Settings {
+  trident::nav::LatticeOptions lattice;
+  std::string out;  // empty: standard output
+};
+
+void take_option(const std::string& option, const std::string& value, Settings* settings) {
+  if (option == "--model") {
+    settings->lattice.motion_model = value;
+  } else if (option == "--radius") {
+    settings->lattice.turning_radius_m = number_of(option, value);
+  } else if (option == "--resolution") {
+    settings->lattice.resolution_m = number_of(option, value);
+  } else if (option == "--headings") {
+    settings->lattice.headings = static_cast<int>(number_of(option, value));
+  } else if (option == "--out") {
+    settings->out = value;
+  } else {
+    throw Error(option + ": legal: --model, --radius, --resolution, --headings, --out");
   }
-  const std::string text = trident::nav::lattice_json(trident::nav::make_lattice(options));
+}
+
+void write(const std::string& text, const std::string& out) {
   if (out.empty()) {
     std::cout << text;
-    return 0;
+    return;
   }
   std::ofstream file(out, std::ios::binary);
   if (!(file << text) || !file.flush()) throw Error(out + ": cannot be written");
+}
+
+int run(int argc, char** argv) {
+  Settings settings;
+  for (int i = 1; i < argc; i += 2) {
+    const std::string option = argv[i];
+    if (i + 1 == argc) throw Error(option + ": needs a value");
+    take_option(option, argv[i + 1], &settings);
+  }
+  write(trident::nav::lattice_json(trident::nav::make_lattice(settings.lattice)), settings.out);
   return 0;
 }
 

@@ -91,26 +91,42 @@ Arguments parse_arguments(int argc, char** argv) {
   return result;
 }
 
+/// A round obstacle [m].
+struct Disc {
+  double x = 0.0, y = 0.0, radius = 0.0;
+};
+
+bool is_legal(const Disc& disc) {
+  constexpr double kLargest_m = 100.0;
+  return std::isfinite(disc.x) && std::isfinite(disc.y) && disc.radius > 0.0 &&
+         disc.radius <= kLargest_m;
+}
+
+Disc parse_disc(const std::string& word) {
+  Disc disc;
+  int used = 0;
+  const int count =
+      std::sscanf(word.c_str(), "%lf,%lf,%lf%n", &disc.x, &disc.y, &disc.radius, &used);
+  const bool is_whole = count == 3 && static_cast<std::size_t>(used) == word.size();
+  if (!is_whole || !is_legal(disc)) {
+    throw Error("obstacle: " + word + ", legal: X,Y,RADIUS [m], RADIUS > 0 and <= 100");
+  }
+  return disc;
+}
+
 /// The rims of round obstacles, each with points a centimeter apart.
 std::vector<Eigen::Vector3f> rims(const std::string& text) {
-  constexpr double kApart_m = 0.01, kLargest_m = 100.0;
+  constexpr double kApart_m = 0.01;
   std::vector<Eigen::Vector3f> points;
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, ';');) {
-    double x = 0.0, y = 0.0, radius = 0.0;
-    int used = 0;
-    const int count = std::sscanf(word.c_str(), "%lf,%lf,%lf%n", &x, &y, &radius, &used);
-    const bool is_whole = count == 3 && static_cast<std::size_t>(used) == word.size();
-    if (!is_whole || !(std::isfinite(x) && std::isfinite(y)) ||
-        !(radius > 0.0 && radius <= kLargest_m)) {
-      throw Error("obstacle: " + word + ", legal: X,Y,RADIUS [m], RADIUS > 0 and <= 100");
-    }
-    const int steps = std::max(8, static_cast<int>(2.0 * trident::kPi * radius / kApart_m));
+    const Disc disc = parse_disc(word);
+    const int steps = std::max(8, static_cast<int>(2.0 * trident::kPi * disc.radius / kApart_m));
     for (int i = 0; i < steps; ++i) {
       const double angle = 2.0 * trident::kPi * i / steps;
-      points.push_back(
-          Eigen::Vector3d(x + radius * std::cos(angle), y + radius * std::sin(angle), 0.0)
-              .cast<float>());
+      points.push_back(Eigen::Vector3d(disc.x + disc.radius * std::cos(angle),
+                                       disc.y + disc.radius * std::sin(angle), 0.0)
+                           .cast<float>());
     }
   }
   return points;

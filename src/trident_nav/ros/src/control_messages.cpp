@@ -256,13 +256,19 @@ ReportedObstacle to_reported(const costmap_converter::ObstacleMsg& message) {
 
 namespace {
 
-std::string obstacle_problem(const costmap_converter::ObstacleMsg& obstacle) {
-  if (obstacle.polygon.points.empty()) return "polygon has no points, legal: at least one";
-  for (const geometry_msgs::Point32& p : obstacle.polygon.points) {
-    const std::string problem = ros_utils::point_problem(
+std::string polygon_problem(const geometry_msgs::Polygon& polygon) {
+  if (polygon.points.empty()) return "polygon has no points, legal: at least one";
+  for (const geometry_msgs::Point32& p : polygon.points) {
+    std::string problem = ros_utils::point_problem(
         static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z), "polygon");
     if (!problem.empty()) return problem;
   }
+  return "";
+}
+
+std::string obstacle_problem(const costmap_converter::ObstacleMsg& obstacle) {
+  std::string of_polygon = polygon_problem(obstacle.polygon);
+  if (!of_polygon.empty()) return of_polygon;
   if (!(obstacle.radius >= 0.0 && obstacle.radius <= kMaxRadius_m)) {
     return "radius = " + number_text(obstacle.radius) + " m, legal: 0 to " +
            number_text(kMaxRadius_m);

@@ -159,6 +159,23 @@ void ControlTopics::publish_bands(const ControlDetails& details, const Tracks& m
   }
 }
 
+void ControlTopics::publish_considered(const ControlDetails& details,
+                                       const std_msgs::Header& header) {
+  if (is_heard(out_.trajectories)) out_.trajectories.publish(fan_markers(details, header));
+  if (is_heard(out_.cost_cloud)) out_.cost_cloud.publish(cost_cloud(details, header));
+  if (is_heard(out_.trajectory_cloud)) {
+    out_.trajectory_cloud.publish(trajectory_cloud(details, header));
+  }
+}
+
+void ControlTopics::publish_selected(const ConsideredTrajectory& selected,
+                                     const std_msgs::Header& header) {
+  if (is_heard(out_.teb_poses)) out_.teb_poses.publish(poses_message(selected, header));
+  const nav_msgs::Path plan = local_plan_message(selected, header);
+  if (is_heard(out_.local_plan)) out_.local_plan.publish(plan);
+  if (is_heard(out_.optimal)) out_.optimal.publish(plan);
+}
+
 void ControlTopics::publish(const Controller& controller, const Tracks& moving) {
   const ControlDetails details = controller.details();
   if (!details.time_s || details.time_s == published_s_) return;
@@ -167,17 +184,9 @@ void ControlTopics::publish(const Controller& controller, const Tracks& moving) 
   header.frame_id = frame_;
   header.stamp.fromSec(*details.time_s);
   publish_bands(details, moving, header);
-  if (is_heard(out_.trajectories)) out_.trajectories.publish(fan_markers(details, header));
-  if (is_heard(out_.cost_cloud)) out_.cost_cloud.publish(cost_cloud(details, header));
-  if (is_heard(out_.trajectory_cloud)) {
-    out_.trajectory_cloud.publish(trajectory_cloud(details, header));
-  }
+  publish_considered(details, header);
   const ConsideredTrajectory* const selected = details.selected_trajectory();
-  if (selected == nullptr) return;
-  if (is_heard(out_.teb_poses)) out_.teb_poses.publish(poses_message(*selected, header));
-  const nav_msgs::Path plan = local_plan_message(*selected, header);
-  if (is_heard(out_.local_plan)) out_.local_plan.publish(plan);
-  if (is_heard(out_.optimal)) out_.optimal.publish(plan);
+  if (selected != nullptr) publish_selected(*selected, header);
 }
 
 }  // namespace trident::nav

@@ -7,7 +7,6 @@
 #include <sensor_msgs/PointCloud.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
-#include <tf2/exceptions.h>
 
 #include <algorithm>
 #include <utility>
@@ -22,6 +21,7 @@ namespace trident::nav {
 namespace {
 
 constexpr double kMaxWait_s = 1.0;  // for a transform
+constexpr int kBeamQueue = 10;
 constexpr std::size_t kMaxPending = 50;
 constexpr std::size_t kKeptStamps = 20;  // of scans, in lockstep
 // Between data and the update that takes them: more than their stamps differ from their period by,
@@ -96,37 +96,40 @@ void CostmapInputs::subscribe_map(ros::NodeHandle& node, StaticLayer& layer) {
 }
 
 void CostmapInputs::subscribe_beams(ros::NodeHandle& node, BeamLayer& layer) {
-  constexpr int kQueue = 10;
   for (BeamSource& source : layer.sources()) {
-    const auto on_cloud = [this, &source](const auto& cloud) {
-      if (is_refused(source, cloud->header.stamp)) return;
-      add(source, cloud->header.stamp, [this, &source, cloud]() -> std::optional<Observation> {
-        const ros::Time& stamp = cloud->header.stamp;
-        const SE3 pose = sensor_pose(cloud->header.frame_id, source.params(), stamp);
-        return observe_points(stamp.toSec(), points_of(*cloud), pose);
-      });
-    };
     switch (source.params().data_type) {
       case BeamDataType::kLaserScan:
-        subscribers_.push_back(node.subscribe<sensor_msgs::LaserScan>(
-            source.topic(), kQueue, [this, &source](const sensor_msgs::LaserScanConstPtr& scan) {
-              if (is_refused(source, scan->header.stamp)) return;
-              add(source, scan->header.stamp,
-                  [this, &source, scan] { return observe(*scan, source); });
-            }));
+        subscribe_scans(node, source);
         break;
       case BeamDataType::kPointCloud2:
-        subscribers_.push_back(node.subscribe<sensor_msgs::PointCloud2>(
-            source.topic(), kQueue,
-            [on_cloud](const sensor_msgs::PointCloud2ConstPtr& cloud) { on_cloud(cloud); }));
+        subscribe_clouds<sensor_msgs::PointCloud2>(node, source);
         break;
       case BeamDataType::kPointCloud:
-        subscribers_.push_back(node.subscribe<sensor_msgs::PointCloud>(
-            source.topic(), kQueue,
-            [on_cloud](const sensor_msgs::PointCloudConstPtr& cloud) { on_cloud(cloud); }));
+        subscribe_clouds<sensor_msgs::PointCloud>(node, source);
         break;
     }
   }
+}
+
+void CostmapInputs::subscribe_scans(ros::NodeHandle& node, BeamSource& source) {
+  subscribers_.push_back(node.subscribe<sensor_msgs::LaserScan>(
+      source.topic(), kBeamQueue, [this, &source](const sensor_msgs::LaserScanConstPtr& scan) {
+        if (is_refused(source, scan->header.stamp)) return;
+        add(source, scan->header.stamp, [this, &source, scan] { return observe(*scan, source); });
+      }));
+}
+
+template <class Cloud>
+void CostmapInputs::subscribe_clouds(ros::NodeHandle& node, BeamSource& source) {
+  subscribers_.push_back(node.subscribe<Cloud>(
+      source.topic(), kBeamQueue, [this, &source](const typename Cloud::ConstPtr& cloud) {
+        if (is_refused(source, cloud->header.stamp)) return;
+        add(source, cloud->header.stamp, [this, &source, cloud]() -> std::optional<Observation> {
+          const ros::Time& stamp = cloud->header.stamp;
+          const SE3 pose = sensor_pose(cloud->header.frame_id, source.params(), stamp);
+          return observe_points(stamp.toSec(), points_of(*cloud), pose);
+        });
+      }));
 }
 
 /// Notes data whose stamp nothing can be computed with.
@@ -215,26 +218,43 @@ std::optional<Observation> CostmapInputs::observe(const sensor_msgs::LaserScan& 
   return observe_scan(scan, poses, params.inf_is_valid);
 }
 
+void CostmapInputs::hand_over(const Pending& pending) {
+  auto observation = pending.observe();
+  if (!observation) return;
+  if (on_observation_) on_observation_(*pending.source, *observation);
+  pending.source->add(std::move(*observation));
+}
+
+/// Whether data are of before the first transforms: nothing is wrong, and newer ones have come or
+/// will.
+bool CostmapInputs::is_early(const Pending& pending, const tf2::TransformException& error) {
+  const SourceAge& age = pending.source->age();
+  const bool is_superseded = !age.has_data() || pending.stamp_s < age.newest_s();
+  return dynamic_cast<const tf2::ExtrapolationException*>(&error) != nullptr && is_superseded;
+}
+
 void CostmapInputs::apply_pending(Pending& pending, std::deque<Pending>* waiting) {
   const BeamSource& source = *pending.source;
   try {
-    if (auto observation = pending.observe()) {
-      if (on_observation_) on_observation_(source, *observation);
-      pending.source->add(std::move(*observation));
-    }
+    hand_over(pending);
   } catch (const tf2::TransformException& error) {
     if ((ros::WallTime::now() - pending.since).toSec() < kMaxWait_s) {
       waiting->push_back(std::move(pending));
-      return;
+    } else if (!is_early(pending, error)) {
+      refusals_.note("transform", unused(source) + error.what());
     }
-    // Those of before the first transforms: nothing is wrong, and newer ones have come or will.
-    const bool is_superseded =
-        !source.age().has_data() || pending.stamp_s < source.age().newest_s();
-    const bool is_early =
-        dynamic_cast<const tf2::ExtrapolationException*>(&error) != nullptr && is_superseded;
-    if (!is_early) refusals_.note("transform", unused(source) + error.what());
   } catch (const std::exception& error) {
     refusals_.note("data", unused(source) + error.what());
+  }
+}
+
+void CostmapInputs::apply_maps(const std::vector<std::function<void()>>& maps) {
+  for (const auto& set_map : maps) {
+    try {
+      set_map();
+    } catch (const Error& error) {
+      refusals_.note("map", std::string("a map is not used: ") + error.what());
+    }
   }
 }
 
@@ -247,13 +267,7 @@ void CostmapInputs::apply(double now_s) {
     pending.swap(pending_);
     maps.swap(maps_);
   }
-  for (const auto& set_map : maps) {
-    try {
-      set_map();
-    } catch (const Error& error) {
-      refusals_.note("map", std::string("a map is not used: ") + error.what());
-    }
-  }
+  apply_maps(maps);
   for (Pending& one : pending) {
     if (is_lockstep_ && one.stamp_s >= now_s - kLockstepMargin_s) {
       waiting.push_back(std::move(one));  // the next update takes it in any case

@@ -51,18 +51,22 @@ void MoveBaseNode::answer(double stamp_s) {
     parts_->global->update(stamp_s);
   }
   if (is_due(lockstep_.cycled_s, 1.0 / parts_->navigator->params().controller_frequency)) {
-    // Goals wait until the periods of all sources are known: before, nobody knows what is late.
-    constexpr double kSettle_s = 1.0;
-    if (lockstep_.cycled_s < 0.0) lockstep_.begun_s = stamp_s;
-    lockstep_.cycled_s = stamp_s;
-    if (stamp_s - lockstep_.begun_s < kSettle_s) {
-      parts_->local->update(stamp_s);
-    } else {
-      await_goal();
-      cycle(stamp_s);
-    }
+    cycle_when_settled(stamp_s);
   }
   links_.command.publish(lockstep_.answer);
+}
+
+/// Goals wait until the periods of all sources are known: before, nobody knows what is late.
+void MoveBaseNode::cycle_when_settled(double stamp_s) {
+  constexpr double kSettle_s = 1.0;
+  if (lockstep_.cycled_s < 0.0) lockstep_.begun_s = stamp_s;
+  lockstep_.cycled_s = stamp_s;
+  if (stamp_s - lockstep_.begun_s < kSettle_s) {
+    parts_->local->update(stamp_s);
+  } else {
+    await_goal();
+    cycle(stamp_s);
+  }
 }
 
 /// The sample and its transform come on connections of their own.

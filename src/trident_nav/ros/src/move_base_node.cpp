@@ -295,12 +295,17 @@ std::optional<NavigatorInput> MoveBaseNode::sense(double now_s, std::string* pro
   return input;
 }
 
+/// Whether it is time again for a warning that the robot waits, which is then given.
+bool MoveBaseNode::is_warning_due(double now_s) {
+  if (now_s >= warned_.waiting_s && now_s - warned_.waiting_s < kWarningPeriod_s) return false;
+  warned_.waiting_s = now_s;
+  return true;
+}
+
 void MoveBaseNode::stand(double now_s, const std::string& why) {
   if (is_driving_) send({});
   refusals_.count("waiting", why);
-  if (now_s >= warned_.waiting_s && now_s - warned_.waiting_s < kWarningPeriod_s) return;
-  warned_.waiting_s = now_s;
-  ROS_WARN("The robot waits: %s.", why.c_str());
+  if (is_warning_due(now_s)) ROS_WARN("The robot waits: %s.", why.c_str());
 }
 
 void MoveBaseNode::send(const Twist2& twist) {
@@ -326,10 +331,7 @@ void MoveBaseNode::act(const NavigatorInput& input, const NavigatorOutput& outpu
     return;
   }
   send(output.twist);
-  if (output.waiting.empty()) return;
-  if (input.now_s - warned_.waiting_s < kWarningPeriod_s && input.now_s >= warned_.waiting_s)
-    return;
-  warned_.waiting_s = input.now_s;
+  if (output.waiting.empty() || !is_warning_due(input.now_s)) return;
   ROS_WARN("%s", output.waiting.c_str());
 }
 
@@ -366,22 +368,26 @@ void MoveBaseNode::publish_path(double now_s) {
   links_.local_path.publish(message);
 }
 
+/// A pose in the global costmap's frame; nothing: `problem` says why.
+std::optional<Pose2> MoveBaseNode::placed_globally(const geometry_msgs::PoseStamped& pose,
+                                                   double now_s, std::string* problem) const {
+  *problem = goal_problem(pose.pose);
+  if (!problem->empty()) return std::nullopt;
+  const std::string from = frame_name(pose.header.frame_id);
+  const auto T_global_from =
+      newest_pose(buffer_, parts_->global->frame(), from, now_s, INFINITY, problem);
+  if (!T_global_from) return std::nullopt;
+  return placed_in(*T_global_from, to_pose2(pose.pose));
+}
+
 bool MoveBaseNode::make_plan(nav_msgs::GetPlan::Request& request,
                              nav_msgs::GetPlan::Response& response) {
   const double now_s = ros::Time::now().toSec();
-  const std::string& frame = parts_->global->frame();
   std::string problem;
-  const auto place = [&](const geometry_msgs::PoseStamped& pose) -> std::optional<Pose2> {
-    problem = goal_problem(pose.pose);
-    if (!problem.empty()) return std::nullopt;
-    const std::string from = frame_name(pose.header.frame_id);
-    const auto T_global_from = newest_pose(buffer_, frame, from, now_s, INFINITY, &problem);
-    if (!T_global_from) return std::nullopt;
-    return placed_in(*T_global_from, to_pose2(pose.pose));
-  };
   const bool starts_here = request.start.header.frame_id.empty();
-  const auto start = starts_here ? parts_->global->robot(now_s, &problem) : place(request.start);
-  const auto goal = start ? place(request.goal) : std::nullopt;
+  const auto start = starts_here ? parts_->global->robot(now_s, &problem)
+                                 : placed_globally(request.start, now_s, &problem);
+  const auto goal = start ? placed_globally(request.goal, now_s, &problem) : std::nullopt;
   if (!goal) {
     refusals_.note("make_plan",
                    std::string("make_plan, ") + (start ? "goal: " : "start: ") + problem);
@@ -390,7 +396,7 @@ bool MoveBaseNode::make_plan(nav_msgs::GetPlan::Request& request,
   const PlanOutcome outcome = parts_->world->plan_now(*start, *goal);
   if (outcome.failure != Failure::kNone)
     refusals_.note("make_plan", "make_plan: " + outcome.reason);
-  response.plan = path_message(outcome.path, frame, now_s);
+  response.plan = path_message(outcome.path, parts_->global->frame(), now_s);
   return true;
 }
 

@@ -39,6 +39,14 @@ void put(ConfigNode* map, const std::string& key, ConfigNode value) {
   map->items.push_back(std::move(value));
 }
 
+/// `what`: of the error, which may know what was meant.
+std::string no_effect_text(const std::string& parameter, const std::string& what) {
+  const auto list = what.find(" Known keys:");
+  const auto guess = what.find("id you mean");
+  return "parameter " + parameter + " has no effect" +
+         (guess == std::string::npos ? "." : "; d" + what.substr(guess, list - guess));
+}
+
 /// Calls make() until it finds no key that it does not know; each is left out with a warning.
 template <class Make>
 auto make_leniently(ConfigNode config, const std::string& name_space, Warnings* warnings,
@@ -51,11 +59,7 @@ auto make_leniently(ConfigNode config, const std::string& name_space, Warnings* 
       const bool is_unknown = what.find("unknown key") != std::string::npos;
       if (!is_unknown || !take(&config, error.key())) throw;
       if (error.key() == silent_key) continue;
-      const auto list = what.find(" Known keys:");
-      const auto guess = what.find("id you mean");
-      warnings->push_back(
-          "parameter " + name_space + "/" + error.key() + " has no effect" +
-          (guess == std::string::npos ? "." : "; d" + what.substr(guess, list - guess)));
+      warnings->push_back(no_effect_text(name_space + "/" + error.key(), what));
     }
   }
 }
@@ -253,32 +257,49 @@ std::unique_ptr<Controller> make_local_planner(const std::string& plugin,
   return make_leniently(config.law, name_space, warnings, make, "min_vel_x");
 }
 
+namespace {
+
+const char* const kClearCostmaps = "clear_costmap_recovery/ClearCostmapRecovery";
+const char* const kConservative = "conservative_reset";
+const char* const kAggressive = "aggressive_reset";
+
+/// What move_base tries by default.
+std::vector<RecoveryChoice> default_recoveries(bool may_rotate) {
+  const RecoveryChoice rotation{"rotate_recovery", "rotate_recovery/RotateRecovery"};
+  std::vector<RecoveryChoice> choices{RecoveryChoice{kConservative, kClearCostmaps}};
+  if (may_rotate) choices.push_back(rotation);
+  choices.push_back({kAggressive, kClearCostmaps});
+  choices.push_back({"retreat", "trident_nav/Retreat"});
+  if (may_rotate) choices.push_back(rotation);
+  return choices;
+}
+
+/// How far from the robot costmaps are kept by the recoveries of move_base's own names [m].
+std::optional<double> reset_distance(const RecoveryChoice& choice, const MoveBaseParams& params,
+                                     const RecoverySetup& setup) {
+  constexpr double kAggressiveRadii = 4.0;
+  if (choice.type != kClearCostmaps) return std::nullopt;
+  if (choice.name == kAggressive) return kAggressiveRadii * setup.footprint.circumscribed_radius;
+  if (choice.name == kConservative) return params.conservative_reset_dist;
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::vector<NamedRecovery> make_recoveries(const MoveBaseParams& params, const RecoverySetup& setup,
                                            const ConfigNode& tree, Warnings* warnings) {
-  const char* const kClear = "clear_costmap_recovery/ClearCostmapRecovery";
-  const char* const kRotate = "rotate_recovery/RotateRecovery";
-  constexpr double kAggressiveRadii = 4.0;
-  const bool is_default = params.recovery_behaviors.empty();
-  std::vector<RecoveryChoice> choices = params.recovery_behaviors;
-  if (is_default) {
-    choices.push_back({"conservative_reset", kClear});
-    if (params.clearing_rotation_allowed) choices.push_back({"rotate_recovery", kRotate});
-    choices.push_back({"aggressive_reset", kClear});
-    choices.push_back({"retreat", "trident_nav/Retreat"});
-    if (params.clearing_rotation_allowed) choices.push_back({"rotate_recovery", kRotate});
-  }
+  const std::vector<RecoveryChoice> choices =
+      params.recovery_behaviors.empty() ? default_recoveries(params.clearing_rotation_allowed)
+                                        : params.recovery_behaviors;
   std::vector<NamedRecovery> result;
   for (const RecoveryChoice& choice : choices) {
     const ConfigNode* const given = tree.find(choice.name);
     ConfigNode config = given != nullptr ? *given : empty_map();
-    const bool is_aggressive = choice.name == "aggressive_reset";
-    if (choice.type == kClear && config.find("reset_distance") == nullptr &&
-        (is_aggressive || choice.name == "conservative_reset")) {
+    const std::optional<double> distance_m = reset_distance(choice, params, setup);
+    if (distance_m && config.find("reset_distance") == nullptr) {
       ConfigNode side;
       side.kind = ConfigNode::Kind::kScalar;
-      side.scalar =
-          number_text(is_aggressive ? kAggressiveRadii * setup.footprint.circumscribed_radius
-                                    : params.conservative_reset_dist);
+      side.scalar = number_text(*distance_m);
       put(&config, "reset_distance", std::move(side));
     }
     result.push_back(make_recovery(choice, setup, std::move(config), choice.name, warnings));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace trident::nav {
 namespace {
@@ -12,6 +13,20 @@ bool has_source(VoxelLayer& layer, const BeamSource& source) {
   const auto& sources = layer.sources();
   return std::any_of(sources.begin(), sources.end(),
                      [&](const BeamSource& one) { return &one == &source; });
+}
+
+void append_ends(const Observation& observation, std::vector<geometry_msgs::Point32>* points) {
+  for (const BeamGroup& group : observation.groups) {
+    const Eigen::Vector3f origin = group.origin.cast<float>();
+    for (std::size_t i = group.first; i < group.first + group.count; ++i) {
+      const Eigen::Vector3f end = origin + observation.ends[i].p;
+      geometry_msgs::Point32 point;
+      point.x = end.x();
+      point.y = end.y();
+      point.z = end.z();
+      points->push_back(point);
+    }
+  }
 }
 
 }  // namespace
@@ -36,17 +51,7 @@ void VoxelTopics::note(const BeamSource& source, const Observation& observation)
   if (!source.params().clearing) return;
   for (Topics& topics : layers_) {
     if (topics.endpoints.getNumSubscribers() == 0 || !has_source(*topics.layer, source)) continue;
-    for (const BeamGroup& group : observation.groups) {
-      const Eigen::Vector3f origin = group.origin.cast<float>();
-      for (std::size_t i = group.first; i < group.first + group.count; ++i) {
-        const Eigen::Vector3f end = origin + observation.ends[i].p;
-        geometry_msgs::Point32 point;
-        point.x = end.x();
-        point.y = end.y();
-        point.z = end.z();
-        topics.ends.points.push_back(point);
-      }
-    }
+    append_ends(observation, &topics.ends.points);
   }
 }
 

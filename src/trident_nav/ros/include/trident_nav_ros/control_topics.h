@@ -43,6 +43,8 @@ class ControlTopics {
   std::optional<std::vector<Point2>> via_points(double now_s);
   void publish_bands(const ControlDetails& details, const Tracks& moving,
                      const std_msgs::Header& header);
+  void publish_considered(const ControlDetails& details, const std_msgs::Header& header);
+  void publish_selected(const ConsideredTrajectory& selected, const std_msgs::Header& header);
 
   std::string frame_;
   const tf2::BufferCore& buffer_;

@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
 #include <tf2/buffer_core.h>
+#include <tf2/exceptions.h>
 
 #include <deque>
 #include <functional>
@@ -68,12 +69,18 @@ class CostmapInputs {
 
   void subscribe_map(ros::NodeHandle& node, StaticLayer& layer);
   void subscribe_beams(ros::NodeHandle& node, BeamLayer& layer);
+  void subscribe_scans(ros::NodeHandle& node, BeamSource& source);
+  template <class Cloud>
+  void subscribe_clouds(ros::NodeHandle& node, BeamSource& source);
   bool is_refused(const BeamSource& source, const ros::Time& stamp);
   void await_data(double now_s);
   bool is_late(double now_s);
   void note_scan(const BeamSource& source, double stamp_s);
   void add(BeamSource& source, const ros::Time& stamp, Observe observe);
+  void hand_over(const Pending& pending);
+  static bool is_early(const Pending& pending, const tf2::TransformException& error);
   void apply_pending(Pending& pending, std::deque<Pending>* waiting);
+  void apply_maps(const std::vector<std::function<void()>>& maps);
   std::optional<Observation> observe(const sensor_msgs::LaserScan& scan, const BeamSource& source);
   SE3 sensor_pose(const std::string& frame, const BeamSourceParams& params,
                   const ros::Time& stamp) const;

@@ -50,6 +50,7 @@ class MoveBaseNode {
   void run_in_lockstep();
   void answer(double stamp_s);
   void prepare_lockstep();
+  void cycle_when_settled(double stamp_s);
   void await_transform(double stamp_s);
   void note_unrepeatable(const std::string& why);
   void await_localization(double stamp_s);
@@ -66,12 +67,15 @@ class MoveBaseNode {
   std::optional<NavigatorInput> sense(double now_s, std::string* problem);
   void act(const NavigatorInput& input, const NavigatorOutput& output);
   void stand(double now_s, const std::string& why);
+  bool is_warning_due(double now_s);
   void send(const Twist2& twist);
   void end_goal(NavigatorStatus status, const std::string& text);
   void note_recovery(const RecoveryNote& note, const NavigatorInput& input);
   void publish_path(double now_s);
   void on_simple_goal(const geometry_msgs::PoseStamped& message);
   void on_odometry(const nav_msgs::Odometry& message);
+  std::optional<Pose2> placed_globally(const geometry_msgs::PoseStamped& pose, double now_s,
+                                       std::string* problem) const;
   bool make_plan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
   bool clear_costmaps(std_srvs::Empty::Request& request, std_srvs::Empty::Response& response);
 
