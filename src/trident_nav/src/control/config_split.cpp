@@ -14,6 +14,23 @@ ConfigNode* find_key(ConfigNode* map, const std::string& key) {
                                : &map->items[static_cast<std::size_t>(at - map->keys.begin())];
 }
 
+struct DottedKey {
+  std::string head, tail;  ///< Before and after the first point.
+  bool is_dotted = false;
+};
+
+DottedKey split_dotted(const std::string& key) {
+  const auto cut = key.find('.');
+  if (cut == std::string::npos) return {key, "", false};
+  return {key.substr(0, cut), key.substr(cut + 1), true};
+}
+
+/// Whether a value that is known already leaves room for another key within it.
+bool can_hold(const ConfigNode& known, const std::string& key) {
+  return !key.empty() && known.find(key) == nullptr && known.kind != ConfigNode::Kind::kScalar &&
+         known.kind != ConfigNode::Kind::kSequence;
+}
+
 }  // namespace
 
 void put_key(ConfigNode* map, const std::string& key, int line, ConfigNode value) {
@@ -41,23 +58,19 @@ ConfigNode expand_dotted_keys(const ConfigNode& map, const std::string& label) {
   result.kind = ConfigNode::Kind::kMap;
   result.line = map.line;
   for (std::size_t i = 0; i < map.keys.size(); ++i) {
-    const std::string& key = map.keys[i];
+    const DottedKey key = split_dotted(map.keys[i]);
     const int line = map.key_lines[i];
-    const auto cut = key.find('.');
-    const std::string head = key.substr(0, cut);
-    ConfigNode* known = find_key(&result, head);
+    ConfigNode* known = find_key(&result, key.head);
     if (known == nullptr) {
-      put_key(&result, head, line, {});
+      put_key(&result, key.head, line, key.is_dotted ? ConfigNode{} : map.items[i]);
+      if (!key.is_dotted) continue;
       known = &result.items.back();
-      *known = cut == std::string::npos ? map.items[i] : ConfigNode{};
-      if (cut == std::string::npos) continue;
     }
-    const std::string tail = cut == std::string::npos ? "" : key.substr(cut + 1);
-    if (tail.empty() || known->find(tail) != nullptr || known->kind == ConfigNode::Kind::kScalar ||
-        known->kind == ConfigNode::Kind::kSequence) {
-      throw ConfigError(label, line, key, "the key is given twice, with a point and as a map");
+    if (!can_hold(*known, key.tail)) {
+      throw ConfigError(label, line, map.keys[i],
+                        "the key is given twice, with a point and as a map");
     }
-    put_key(known, tail, line, map.items[i]);
+    put_key(known, key.tail, line, map.items[i]);
   }
   return result;
 }

@@ -32,12 +32,12 @@ std::vector<Twist2> slow_twists(const ControlSetup& setup) {
   const double back = std::max(setup.limits.vx_min, -v);
   const double w = setup.can_turn_on_spot() ? 0.5 * kShare * setup.limits.wz_max
                                             : v / setup.limits.min_turning_radius;
+  std::vector<double> sideways{0.0};
+  if (setup.limits.vy_max > 0.0) sideways.insert(sideways.end(), {v, -v});
   std::vector<Twist2> twists;
   for (const double vx : {v, 0.0, back}) {
     for (const double wz : {0.0, w, -w}) {
-      for (const double vy : {0.0, v, -v}) {
-        if (vy == 0.0 || setup.limits.vy_max > 0.0) twists.push_back({vx, vy, wz});
-      }
+      for (const double vy : sideways) twists.push_back({vx, vy, wz});
     }
   }
   return twists;

@@ -53,31 +53,40 @@ bool GoalArrival::has_settled(double time_s, const GoalErrors& errors) const {
   return is_within(errors, kInner) || (is_within(errors, 1.0) && time_s - better_s_ >= kSettled_s);
 }
 
+/// Takes a goal, which begins an approach unless it is the one at present.
+void GoalArrival::take(const Pose2& goal, double time_s, const GoalErrors& errors) {
+  const bool is_new = !has_goal_ || !is_same(goal, goal_, tolerance_);
+  goal_ = goal;
+  if (!is_new) return;
+  has_goal_ = true;
+  phase_ = ArrivalPhase::kApproach;
+  least_ = errors;
+  nearer_s_ = better_s_ = time_s;
+}
+
+void GoalArrival::change_phase(double time_s, const GoalErrors& errors, bool is_at_position) {
+  if (can_turn_ && phase_ == ArrivalPhase::kApproach && starts_turn(time_s, errors.distance_m)) {
+    phase_ = ArrivalPhase::kTurn;
+  }
+  if (phase_ == ArrivalPhase::kTurn && !is_at_position) phase_ = ArrivalPhase::kApproach;
+}
+
+bool GoalArrival::has_arrived(double time_s, const GoalErrors& errors) const {
+  if (!can_turn_) return has_settled(time_s, errors);
+  return phase_ == ArrivalPhase::kTurn && errors.yaw_rad <= tolerance_.yaw_goal_tolerance;
+}
+
 ArrivalPhase GoalArrival::update(const RobotState& state, const Pose2& goal) {
   const GoalErrors errors{distance(state.pose.x, state.pose.y, goal.x, goal.y),
                           std::fabs(wrap_angle(goal.yaw - state.pose.yaw))};
-  const bool is_new = !has_goal_ || !is_same(goal, goal_, tolerance_);
-  goal_ = goal;
-  if (is_new) {
-    has_goal_ = true;
-    phase_ = ArrivalPhase::kApproach;
-    least_ = errors;
-    nearer_s_ = better_s_ = state.time_s;
-  }
+  take(goal, state.time_s, errors);
   note_progress(state.time_s, errors);
   const bool is_fallback = state.time_s - better_s_ >= tolerance_.fallback_time &&
                            is_within(errors, tolerance_.fallback_factor);
   const bool is_at_position = errors.distance_m <= tolerance_.xy_goal_tolerance || is_fallback;
-  if (can_turn_ && phase_ == ArrivalPhase::kApproach &&
-      starts_turn(state.time_s, errors.distance_m)) {
-    phase_ = ArrivalPhase::kTurn;
-  }
-  if (phase_ == ArrivalPhase::kTurn && !is_at_position) phase_ = ArrivalPhase::kApproach;
-  const bool has_turned =
-      phase_ == ArrivalPhase::kTurn && errors.yaw_rad <= tolerance_.yaw_goal_tolerance;
-  const bool has_arrived = can_turn_ ? has_turned : has_settled(state.time_s, errors);
-  if ((has_arrived || is_fallback) && is_stopped(state.twist)) return ArrivalPhase::kReached;
-  return phase_;
+  change_phase(state.time_s, errors, is_at_position);
+  const bool is_there = is_fallback || has_arrived(state.time_s, errors);
+  return is_there && is_stopped(state.twist) ? ArrivalPhase::kReached : phase_;
 }
 
 }  // namespace trident::nav

@@ -34,10 +34,31 @@ void require_positive(const char* field, double value) {
   }
 }
 
-std::string problem_of(const RobotState& state, const Path& path, const CostGrid& grid) {
-  if (!is_finite(state.pose) || !is_finite(state.twist) || !std::isfinite(state.time_s)) {
-    return "The robot's state is not finite.";
+void require_legal(const MotionLimits& limits) {
+  require_positive("vx_max", limits.vx_max);
+  require_positive("ax_max", limits.ax_max);
+  require_positive("decel_max", limits.decel_max);
+  require_positive("alpha_max", limits.alpha_max);
+  require_positive("wz_max", limits.wz_max);
+  if (limits.vy_max > 0.0) require_positive("ay_max", limits.ay_max);
+  if (!(limits.vy_max >= 0.0)) {
+    throw Error("limits: vy_max is " + text("%g", limits.vy_max) + " (>= 0)");
   }
+  if (!(limits.vx_min <= 0.0)) {
+    throw Error("limits: vx_min is " + text("%g", limits.vx_min) + " (<= 0: how fast backwards)");
+  }
+  if (!(limits.min_turning_radius >= 0.0)) {
+    throw Error("limits: min_turning_radius is " + text("%g", limits.min_turning_radius) +
+                " (>= 0)");
+  }
+}
+
+bool is_finite(const RobotState& state) {
+  return is_finite(state.pose) && is_finite(state.twist) && std::isfinite(state.time_s);
+}
+
+std::string problem_of(const RobotState& state, const Path& path, const CostGrid& grid) {
+  if (!is_finite(state)) return "The robot's state is not finite.";
   if (grid.cost == nullptr || grid.geometry.size() == 0) return "The costmap is empty.";
   const auto bad =
       std::find_if_not(path.begin(), path.end(), [](const Pose2& pose) { return is_finite(pose); });
@@ -76,22 +97,7 @@ std::string describe(const ContactAhead& contact) {
 }  // namespace
 
 void ControlSetup::validate() const {
-  require_positive("vx_max", limits.vx_max);
-  require_positive("ax_max", limits.ax_max);
-  require_positive("decel_max", limits.decel_max);
-  require_positive("alpha_max", limits.alpha_max);
-  require_positive("wz_max", limits.wz_max);
-  if (limits.vy_max > 0.0) require_positive("ay_max", limits.ay_max);
-  if (!(limits.vy_max >= 0.0)) {
-    throw Error("limits: vy_max is " + text("%g", limits.vy_max) + " (>= 0)");
-  }
-  if (!(limits.vx_min <= 0.0)) {
-    throw Error("limits: vx_min is " + text("%g", limits.vx_min) + " (<= 0: how fast backwards)");
-  }
-  if (!(limits.min_turning_radius >= 0.0)) {
-    throw Error("limits: min_turning_radius is " + text("%g", limits.min_turning_radius) +
-                " (>= 0)");
-  }
+  require_legal(limits);
   if (!(command_delay_s >= 0.0) || !std::isfinite(command_delay_s)) {
     throw Error("control setup: command_delay_s is " + text("%g", command_delay_s) + " (>= 0)");
   }
@@ -160,25 +166,34 @@ Proposal GuardedController::propose(const RobotState& state, const Path& path, c
   return law_->propose(situation);
 }
 
-CommandOutcome GuardedController::guarded(const RobotState& state, Proposal proposal,
-                                          const TwistWindow& window, const CostGrid& grid,
-                                          const Tracks& tracks) {
+/// What the law proposes, as fast as the robot can; a failure where that is not to be sent.
+CommandOutcome GuardedController::judged(const RobotState& state, Proposal proposal,
+                                         const TwistWindow& window, const CostGrid& grid,
+                                         const Tracks& tracks) const {
   CommandOutcome outcome;
   outcome.failure = proposal.failure;
   outcome.reason = std::move(proposal.reason);
-  if (outcome.failure == Failure::kNone && !is_finite(proposal.twist)) {
+  if (outcome.failure != Failure::kNone) return outcome;
+  if (!is_finite(proposal.twist)) {
     outcome.failure = Failure::kInvalidInput;
     outcome.reason = "The control law's command is not finite.";
+    return outcome;
   }
-  if (outcome.failure == Failure::kNone) {
-    outcome.twist = admissible_twist(setup_.limits, window, proposal.twist);
-    const auto contact = guard_.first_contact(state, outcome.twist, grid, tracks);
-    if (!contact) {
-      blocked_calls_ = 0;
-      return outcome;
-    }
+  outcome.twist = admissible_twist(setup_.limits, window, proposal.twist);
+  if (const auto contact = guard_.first_contact(state, outcome.twist, grid, tracks)) {
     outcome.failure = Failure::kBlocked;
     outcome.reason = describe(*contact);
+  }
+  return outcome;
+}
+
+CommandOutcome GuardedController::guarded(const RobotState& state, Proposal proposal,
+                                          const TwistWindow& window, const CostGrid& grid,
+                                          const Tracks& tracks) {
+  CommandOutcome outcome = judged(state, std::move(proposal), window, grid, tracks);
+  if (outcome.failure == Failure::kNone) {
+    blocked_calls_ = 0;
+    return outcome;
   }
   // A robot that is held in a tight place first makes room, so that the law has other commands.
   constexpr int kPatience = 4;

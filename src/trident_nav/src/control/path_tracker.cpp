@@ -11,11 +11,6 @@
 namespace trident::nav {
 namespace {
 
-struct Projection {
-  double arc_m = 0.0;
-  double distance_m = std::numeric_limits<double>::infinity();
-};
-
 double direction(const Pose2& from, const Pose2& to) {
   return std::atan2(to.y - from.y, to.x - from.x);
 }
@@ -49,9 +44,8 @@ void PathTracker::find_cusps() {
   cusps_ = cusps_of(path_);
 }
 
-void PathTracker::adopt(const Path& path) {
-  constexpr double kCorrection = 0.3;  // [m]
-  const bool is_kept = is_same_path(path_, path, kCorrection);
+/// The points of a path that lie apart from each other, and their arc lengths.
+void PathTracker::keep_points(const Path& path) {
   Path points;
   points.reserve(path.size());
   std::vector<double> arcs_m;
@@ -67,27 +61,34 @@ void PathTracker::adopt(const Path& path) {
   }
   path_ = std::move(points);
   arcs_m_ = std::move(arcs_m);
+}
+
+void PathTracker::adopt(const Path& path) {
+  constexpr double kCorrection = 0.3;  // [m]
+  const bool is_kept = is_same_path(path_, path, kCorrection);
+  keep_points(path);
   find_cusps();
   if (!is_kept) is_projected_ = false;
 }
 
+/// Onto the part of the path between two arc lengths.
+PathTracker::Projection PathTracker::nearest(const Pose2& pose, double lo_m, double hi_m) const {
+  Projection best;
+  for (std::size_t i = 0; i + 1 < path_.size(); ++i) {
+    if (arcs_m_[i + 1] < lo_m || arcs_m_[i] > hi_m) continue;
+    const Pose2& a = path_[i];
+    const Pose2& b = path_[i + 1];
+    const double length_m = arcs_m_[i + 1] - arcs_m_[i];
+    const double along_m = ((pose.x - a.x) * (b.x - a.x) + (pose.y - a.y) * (b.y - a.y)) / length_m;
+    const double arc_m = std::clamp(arcs_m_[i] + std::clamp(along_m, 0.0, length_m), lo_m, hi_m);
+    const double t = (arc_m - arcs_m_[i]) / length_m;
+    const double d = distance(pose.x, pose.y, a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
+    if (d < best.distance_m) best = {arc_m, d};
+  }
+  return best;
+}
+
 void PathTracker::project(const Pose2& pose) {
-  const auto nearest = [&](double lo_m, double hi_m) {
-    Projection best;
-    for (std::size_t i = 0; i + 1 < path_.size(); ++i) {
-      if (arcs_m_[i + 1] < lo_m || arcs_m_[i] > hi_m) continue;
-      const Pose2& a = path_[i];
-      const Pose2& b = path_[i + 1];
-      const double length_m = arcs_m_[i + 1] - arcs_m_[i];
-      const double along_m =
-          ((pose.x - a.x) * (b.x - a.x) + (pose.y - a.y) * (b.y - a.y)) / length_m;
-      const double arc_m = std::clamp(arcs_m_[i] + std::clamp(along_m, 0.0, length_m), lo_m, hi_m);
-      const double t = (arc_m - arcs_m_[i]) / length_m;
-      const double d = distance(pose.x, pose.y, a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
-      if (d < best.distance_m) best = {arc_m, d};
-    }
-    return best;
-  };
   if (path_.size() == 1) {
     arc_m_ = 0.0;
     deviation_m_ = distance(pose.x, pose.y, path_[0].x, path_[0].y);
@@ -96,8 +97,8 @@ void PathTracker::project(const Pose2& pose) {
   const double lo_m = is_projected_ ? arc_m_ : 0.0;
   // Beyond a cusp the path may lie over itself: that part comes when the cusp is reached.
   const double hi_m = std::min(lo_m + max_advance_m_, end_of_part(arcs_m_.back()));
-  Projection found = nearest(lo_m, hi_m);
-  if (found.distance_m > max_advance_m_) found = nearest(0.0, arcs_m_.back());
+  Projection found = nearest(pose, lo_m, hi_m);
+  if (found.distance_m > max_advance_m_) found = nearest(pose, 0.0, arcs_m_.back());
   arc_m_ = found.arc_m;
   deviation_m_ = found.distance_m;
   pass_cusp(is_projected_ ? lo_m : -std::numeric_limits<double>::infinity());
@@ -159,6 +160,14 @@ void PathTracker::describe_arc(double end_m, LocalPath* local) const {
   local->curvature = wrap_angle(heading_between(arc_m_ + over_m) - local->heading) / over_m;
 }
 
+void PathTracker::add_points(std::size_t steps, LocalPath* local) const {
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const double arc_m = arc_m_ + local->spacing_m * static_cast<double>(i);
+    local->poses.push_back(pose_at(arc_m));
+    if (has_headings_) local->headings.push_back(heading_at(arc_m));
+  }
+}
+
 LocalPath PathTracker::update(const Path& path, const Pose2& pose, double spacing_m,
                               double length_m) {
   adopt(path);
@@ -173,11 +182,7 @@ LocalPath PathTracker::update(const Path& path, const Pose2& pose, double spacin
   local.has_headings = has_headings_;
   local.reaches_goal = end_m >= arcs_m_.back();
   local.ends_at_cusp = !local.reaches_goal && end_m < arc_m_ + length_m;
-  for (std::size_t i = 0; i <= steps; ++i) {
-    const double arc_m = arc_m_ + local.spacing_m * static_cast<double>(i);
-    local.poses.push_back(pose_at(arc_m));
-    if (has_headings_) local.headings.push_back(heading_at(arc_m));
-  }
+  add_points(steps, &local);
   if (has_headings_ && steps > 0) {
     describe_arc(end_m, &local);
     const double off = wrap_angle(local.headings.front() - local.poses.front().yaw);

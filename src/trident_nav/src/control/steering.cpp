@@ -63,6 +63,13 @@ double turning_rate(const MotionLimits& limits, double angle, double period_s) {
   return std::copysign(std::min(wz, limits.wz_max), angle);
 }
 
+Twist2 slowed_to(double speed, const Twist2& twist) {
+  const double own = std::hypot(twist.vx, twist.vy);
+  if (own <= speed || own == 0.0) return twist;
+  const double kept = speed / own;
+  return {kept * twist.vx, kept * twist.vy, kept * twist.wz};
+}
+
 std::optional<Twist2> straight_to_goal(const Situation& situation, const ControlSetup& setup,
                                        double within_m) {
   const Pose2& pose = situation.state.pose;

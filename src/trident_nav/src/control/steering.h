@@ -26,6 +26,9 @@ bool is_arc_clear(const Situation& situation, double sign, double curvature, dou
 /// The turn rate toward a heading that is `angle` away, which brakes in time [rad/s].
 double turning_rate(const MotionLimits& limits, double angle, double period_s);
 
+/// A motion on the same curve that is no faster than a speed [m/s].
+Twist2 slowed_to(double speed, const Twist2& twist);
+
 /// Straight to the goal for a robot that turns on the spot, where it is nearer than `within_m` and
 /// nothing is between: a turn toward it, then no faster than it can stop. Nothing elsewhere.
 std::optional<Twist2> straight_to_goal(const Situation& situation, const ControlSetup& setup,

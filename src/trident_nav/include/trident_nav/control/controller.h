@@ -66,6 +66,8 @@ class GuardedController final : public Controller {
   Proposal propose(const RobotState& state, const Path& path, const CostGrid& grid,
                    const Tracks& tracks, const TwistWindow& window);
   Proposal turn_to_goal(const RobotState& state, double goal_yaw, const CostGrid& grid);
+  CommandOutcome judged(const RobotState& state, Proposal proposal, const TwistWindow& window,
+                        const CostGrid& grid, const Tracks& tracks) const;
   CommandOutcome guarded(const RobotState& state, Proposal proposal, const TwistWindow& window,
                          const CostGrid& grid, const Tracks& tracks);
 

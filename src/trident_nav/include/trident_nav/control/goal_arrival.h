@@ -62,6 +62,9 @@ class GoalArrival {
     double distance_m = 0.0, yaw_rad = 0.0;
   };
 
+  void take(const Pose2& goal, double time_s, const GoalErrors& errors);
+  void change_phase(double time_s, const GoalErrors& errors, bool is_at_position);
+  bool has_arrived(double time_s, const GoalErrors& errors) const;
   bool is_stopped(const Twist2& twist) const;
   bool is_within(const GoalErrors& errors, double part) const;
   bool starts_turn(double time_s, double distance_m) const;

@@ -88,7 +88,10 @@ class ObstacleTracker {
   double measurement_variance(const ScanCluster& cluster) const;
   void predict(Object* object, double duration_s) const;
   void correct(const ScanCluster& cluster, Object* object) const;
+  void advance_to(double time_s);
+  bool begins_to_move(const Object& object, double speed) const;
   void judge_motion(Object* object) const;
+  void find_pairs(const std::vector<ScanCluster>& clusters);
   void match(const std::vector<ScanCluster>& clusters);
   void begin(const ScanCluster& cluster);
   void drop_lost(const ScanPoints* scan);

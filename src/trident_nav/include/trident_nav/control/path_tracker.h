@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "trident_nav/core/geometry.h"
@@ -45,7 +46,15 @@ class PathTracker {
   double progress_m() const { return arc_m_; }
 
  private:
+  /// Of the robot onto the path.
+  struct Projection {
+    double arc_m = 0.0;
+    double distance_m = std::numeric_limits<double>::infinity();
+  };
+
+  void keep_points(const Path& path);
   void adopt(const Path& path);
+  Projection nearest(const Pose2& pose, double lo_m, double hi_m) const;
   void project(const Pose2& pose);
   void find_cusps();
   void pass_cusp(double last_m);
@@ -59,6 +68,7 @@ class PathTracker {
   double heading_at(double arc_m) const;
   double heading_between(double arc_m) const;
   void describe_arc(double end_m, LocalPath* local) const;
+  void add_points(std::size_t steps, LocalPath* local) const;
   double end_of_part(double length_m) const;
 
   double max_advance_m_;

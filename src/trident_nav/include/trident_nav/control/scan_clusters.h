@@ -70,6 +70,7 @@ class ScanClusterer {
   };
 
   void collect_beams(const ScanPoints& scan);
+  std::size_t first_beam(const ScanPoints& scan) const;
   bool is_break(const ScanPoints& scan, const Beam& a, const Beam& b) const;
   bool is_hidden(const ScanPoints& scan, const Beam& end, int direction) const;
   void add(const ScanPoints& scan, std::size_t first, std::size_t count);

@@ -32,6 +32,10 @@ MppiModel search_model(const ControlSetup& setup, const SearchParams& params) {
   return model;
 }
 
+bool is_same(const Twist2& a, const Twist2& b) {
+  return a.vx == b.vx && a.vy == b.vy && a.wz == b.wz;
+}
+
 }  // namespace
 
 TrajectorySearch::TrajectorySearch(const ControlSetup& setup, const SearchParams& params)
@@ -154,11 +158,9 @@ void TrajectorySearch::describe(const Twist2& chosen, const DwaScene& scene,
   if (situation.watched.cells && display.cells) describe_cells(situation, display);
   if (!situation.watched.trajectories) return;
   std::vector<ConsideredTrajectory>& noted = situation.details->trajectories;
-  const auto is_chosen = [&](const ConsideredTrajectory& one) {
-    const Twist2& twist = one.points.front().twist;
-    return twist.vx == chosen.vx && twist.vy == chosen.vy && twist.wz == chosen.wz;
-  };
-  auto at = std::find_if(noted.begin(), noted.end(), is_chosen);
+  auto at = std::find_if(noted.begin(), noted.end(), [&](const ConsideredTrajectory& one) {
+    return is_same(one.points.front().twist, chosen);
+  });
   if (at == noted.end()) return;
   if (!display.trajectories) {
     noted = {std::move(*at)};

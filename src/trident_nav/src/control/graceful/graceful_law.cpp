@@ -36,13 +36,16 @@ class GracefulLaw final : public ControlLaw {
 
  private:
   static ControlSetup with_limits(ControlSetup setup, const GracefulParams& params);
+  bool is_driven_backward(const Pose2& robot, const Pose2& target) const;
   Target target_at(const Situation& situation, double arc_m) const;
   std::optional<Target> free_target(const Situation& situation) const;
   double off_by(const Pose2& pose, const Target& target) const;
   bool must_turn(double angle) const;
   double curvature(const Pose2& pose, const Target& target) const;
   bool is_turn_free(const Situation& situation, double angle) const;
+  bool is_drive_free(const Situation& situation, const Target& target, Pose2 pose) const;
   bool is_motion_free(const Situation& situation, const Target& target) const;
+  Proposal aligned_with_path(const Situation& situation) const;
   double speed(const Situation& situation, double curvature) const;
   Twist2 turn(double angle) const;
 
@@ -58,13 +61,16 @@ ControlSetup GracefulLaw::with_limits(ControlSetup setup, const GracefulParams& 
   return setup;
 }
 
+bool GracefulLaw::is_driven_backward(const Pose2& robot, const Pose2& target) const {
+  if (!params_.allow_backward || !(setup_.limits.vx_min < 0.0)) return false;
+  const double bearing = std::atan2(target.y - robot.y, target.x - robot.x);
+  return std::fabs(wrap_angle(bearing - robot.yaw)) > 0.5 * kPi;
+}
+
 Target GracefulLaw::target_at(const Situation& situation, double arc_m) const {
   const LocalPath& path = situation.path;
-  const Pose2& robot = situation.state.pose;
   Target target{path.at(arc_m), false};
-  const double bearing = std::atan2(target.pose.y - robot.y, target.pose.x - robot.x);
-  target.is_backward = params_.allow_backward && setup_.limits.vx_min < 0.0 &&
-                       std::fabs(wrap_angle(bearing - robot.yaw)) > 0.5 * kPi;
+  target.is_backward = is_driven_backward(situation.state.pose, target.pose);
   if (target.is_backward) target.pose.yaw = wrap_angle(target.pose.yaw + kPi);
   const bool is_goal = path.reaches_goal && arc_m >= path.length_m();
   if (is_goal && !params_.prefer_final_rotation) target.pose.yaw = situation.goal.yaw;
@@ -100,17 +106,12 @@ bool GracefulLaw::is_turn_free(const Situation& situation, double angle) const {
   return true;
 }
 
-// Drives the law to the target, a turn on the spot before it included.
-bool GracefulLaw::is_motion_free(const Situation& situation, const Target& target) const {
+// Drives the law from a pose to the target.
+bool GracefulLaw::is_drive_free(const Situation& situation, const Target& target,
+                                Pose2 pose) const {
   const double step_m = situation.grid.geometry.resolution;
   constexpr double kMaxTurn = 0.5;  // of a step, for the integration [rad]
   constexpr double kDetour = 3.0;   // longer than straight: it does not arrive
-  Pose2 pose = situation.state.pose;
-  const double angle = off_by(pose, target);
-  if (must_turn(angle)) {
-    if (!is_turn_free(situation, angle)) return false;
-    pose.yaw = wrap_angle(pose.yaw + angle);
-  }
   double left_m = distance(pose.x, pose.y, target.pose.x, target.pose.y);
   const int steps = 1 + static_cast<int>(kDetour * left_m / step_m);
   for (int i = 0; i < steps && left_m > step_m; ++i) {
@@ -121,6 +122,17 @@ bool GracefulLaw::is_motion_free(const Situation& situation, const Target& targe
     left_m = distance(pose.x, pose.y, target.pose.x, target.pose.y);
   }
   return left_m <= step_m;
+}
+
+// Drives the law to the target, a turn on the spot before it included.
+bool GracefulLaw::is_motion_free(const Situation& situation, const Target& target) const {
+  Pose2 pose = situation.state.pose;
+  const double angle = off_by(pose, target);
+  if (must_turn(angle)) {
+    if (!is_turn_free(situation, angle)) return false;
+    pose.yaw = wrap_angle(pose.yaw + angle);
+  }
+  return is_drive_free(situation, target, pose);
 }
 
 std::optional<Target> GracefulLaw::free_target(const Situation& situation) const {
@@ -152,6 +164,16 @@ Twist2 GracefulLaw::turn(double angle) const {
   return {0.0, 0.0, std::copysign(rate, angle)};
 }
 
+// Where no curve is free: a turn toward what is next on the path.
+Proposal GracefulLaw::aligned_with_path(const Situation& situation) const {
+  constexpr double kAligned = 0.1;  // [rad]
+  const double angle = off_by(situation.state.pose, target_at(situation, params_.min_lookahead));
+  if (setup_.can_turn_on_spot() && std::fabs(angle) > kAligned && is_turn_free(situation, angle)) {
+    return {turn(angle), Failure::kNone, ""};
+  }
+  return {{}, Failure::kBlocked, "No curve to a pose of the path ahead is free of contact."};
+}
+
 Proposal GracefulLaw::propose(const Situation& situation) {
   if (params_.prefer_final_rotation) {
     const double near_m = std::max(params_.min_lookahead, 2.0 * setup_.tolerance.xy_goal_tolerance);
@@ -160,15 +182,7 @@ Proposal GracefulLaw::propose(const Situation& situation) {
   }
   const Pose2& pose = situation.state.pose;
   const auto target = free_target(situation);
-  if (!target) {
-    constexpr double kAligned = 0.1;  // with what is next on the path [rad]
-    const double angle = off_by(pose, target_at(situation, params_.min_lookahead));
-    if (setup_.can_turn_on_spot() && std::fabs(angle) > kAligned &&
-        is_turn_free(situation, angle)) {
-      return {turn(angle), Failure::kNone, ""};
-    }
-    return {{}, Failure::kBlocked, "No curve to a pose of the path ahead is free of contact."};
-  }
+  if (!target) return aligned_with_path(situation);
   const double angle = off_by(pose, *target);
   is_turning_ = must_turn(angle);
   if (is_turning_) return {turn(angle), Failure::kNone, ""};

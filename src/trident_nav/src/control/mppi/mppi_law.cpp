@@ -49,6 +49,7 @@ class MppiLaw final : public ControlLaw {
   void shift_plan(double time_s);
   RatedPlan optimized(const Situation& situation, const CostGrid& grid, const RolloutStart& start);
   Twist2 command_of(const Situation& situation, const RolloutStart& start) const;
+  bool is_contact_imminent(const RatedPlan& rated, const Twist2& twist) const;
   void describe(const Situation& situation, double cost) const;
 
   MppiParams params_;
@@ -102,12 +103,15 @@ Twist2 MppiLaw::command_of(const Situation& situation, const RolloutStart& start
   Twist2 twist = plan_at(plan_, start.twist, model_.dt_s, model_.period_s);
   if (!situation.path.reaches_goal) return twist;
   // Whatever the plan hopes for, the robot must be able to stop at the goal.
-  const double stop =
-      stopping_speed(distance_left(situation), model_.limits.decel_max, model_.period_s);
-  const double speed = std::hypot(twist.vx, twist.vy);
-  if (speed <= stop || speed == 0.0) return twist;
-  const double kept = stop / speed;
-  return {kept * twist.vx, kept * twist.vy, kept * twist.wz};
+  return slowed_to(
+      stopping_speed(distance_left(situation), model_.limits.decel_max, model_.period_s), twist);
+}
+
+/// Whether the robot could no longer stop before the plan's first contact.
+bool MppiLaw::is_contact_imminent(const RatedPlan& rated, const Twist2& twist) const {
+  const double contact_s = model_.dt_s * (rated.contact_step + 1);
+  return rated.contact_step < model_.steps &&
+         contact_s <= model_.period_s + braking_time(model_.limits, twist);
 }
 
 void MppiLaw::describe(const Situation& situation, double cost) const {
@@ -132,9 +136,7 @@ Proposal MppiLaw::propose(const Situation& situation) {
                            params_.open_loop ? sent_ : situation.state.twist};
   const RatedPlan rated = optimized(situation, grid, start);
   if (situation.watched.trajectories) describe(situation, rated.cost);
-  const double contact_s = model_.dt_s * (rated.contact_step + 1);
-  if (rated.contact_step < model_.steps &&
-      contact_s <= model_.period_s + braking_time(model_.limits, start.twist)) {
+  if (is_contact_imminent(rated, start.twist)) {
     return {
         {}, Failure::kBlocked, "Every sampled trajectory is in contact within the braking time."};
   }

@@ -64,16 +64,17 @@ std::vector<CoverCircle> cover_footprint(const Footprint& footprint) {
     hi = {std::max(hi.x, p.x), std::max(hi.y, p.y)};
   }
   const bool is_long = hi.x - lo.x >= hi.y - lo.y;
-  const double length = is_long ? hi.x - lo.x : hi.y - lo.y;
-  const double width = is_long ? hi.y - lo.y : hi.x - lo.x;
+  const double length = std::max(hi.x - lo.x, hi.y - lo.y);
+  const double width = std::min(hi.x - lo.x, hi.y - lo.y);
+  const Point2 middle{0.5 * (lo.x + hi.x), 0.5 * (lo.y + hi.y)};
   const int count = std::clamp(static_cast<int>(std::ceil(2.0 * length / width - 1e-9)), 1, 6);
   std::vector<CoverCircle> cover;
   for (int i = 0; i < count; ++i) {
     const double along = (i + 0.5) * length / count;
-    const double x = is_long ? lo.x + along : 0.5 * (lo.x + hi.x);
-    const double y = is_long ? 0.5 * (lo.y + hi.y) : lo.y + along;
+    const Point2 center = is_long ? Point2{lo.x + along, middle.y} : Point2{middle.x, lo.y + along};
     const double radius = std::hypot(0.5 * length / count, 0.5 * width);
-    cover.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(radius)});
+    cover.push_back(
+        {static_cast<float>(center.x), static_cast<float>(center.y), static_cast<float>(radius)});
   }
   return cover;
 }

@@ -103,31 +103,32 @@ void ObstacleSurvey::survey(Rollouts* rollouts) const {
   }
 }
 
+void GridWithDistances::measure(const CostGrid& grid) {
+  OccupancyGrid occupancy;
+  occupancy.width = grid.geometry.width;
+  occupancy.height = grid.geometry.height;
+  occupancy.resolution = grid.geometry.resolution;
+  for (std::size_t i = 0; i < grid.geometry.size(); ++i) {
+    occupancy.cells.push_back(grid.cost[i] == kLethalCost ? OccupancyGrid::kOccupied
+                                                          : OccupancyGrid::kFree);
+  }
+  const maps::DistanceField field(occupancy, kMaxDistance_m);
+  distance_m_.clear();
+  for (int y = 0; y < occupancy.height; ++y) {
+    const auto row = field.padded().begin() + (y + 1) * field.stride() + 1;
+    distance_m_.insert(distance_m_.end(), row, row + occupancy.width);
+  }
+  source_ = grid;
+}
+
 CostGrid GridWithDistances::of(const CostGrid& grid) {
   if (grid.distance_m != nullptr) return grid;
   const bool is_known = source_.cost == grid.cost && source_.revision == grid.revision &&
                         source_.geometry.size() == grid.geometry.size();
-  constexpr double kMaxDistance = 2.0;  // [m]
-  if (!is_known) {
-    OccupancyGrid occupancy;
-    occupancy.width = grid.geometry.width;
-    occupancy.height = grid.geometry.height;
-    occupancy.resolution = grid.geometry.resolution;
-    for (std::size_t i = 0; i < grid.geometry.size(); ++i) {
-      occupancy.cells.push_back(grid.cost[i] == kLethalCost ? OccupancyGrid::kOccupied
-                                                            : OccupancyGrid::kFree);
-    }
-    const maps::DistanceField field(occupancy, kMaxDistance);
-    distance_m_.clear();
-    for (int y = 0; y < occupancy.height; ++y) {
-      const auto row = field.padded().begin() + (y + 1) * field.stride() + 1;
-      distance_m_.insert(distance_m_.end(), row, row + occupancy.width);
-    }
-    source_ = grid;
-  }
+  if (!is_known) measure(grid);
   CostGrid result = grid;
   result.distance_m = distance_m_.data();
-  result.max_distance_m = static_cast<float>(kMaxDistance);
+  result.max_distance_m = static_cast<float>(kMaxDistance_m);
   return result;
 }
 

@@ -49,6 +49,10 @@ class GridWithDistances {
   CostGrid of(const CostGrid& grid);
 
  private:
+  static constexpr double kMaxDistance_m = 2.0;
+
+  void measure(const CostGrid& grid);
+
   CostGrid source_;
   std::vector<float> distance_m_;
 };

@@ -44,8 +44,11 @@ class PurePursuitLaw final : public ControlLaw {
   bool is_arc_free(const Situation& situation, const Carrot& carrot, double margin_m) const;
   bool must_turn(const Carrot& carrot) const;
   std::optional<Carrot> free_carrot(const Situation& situation) const;
+  double angle_to(const Situation& situation, const Carrot& carrot) const;
   std::optional<Twist2> turn_on_spot(const Situation& situation, const Carrot& carrot,
                                      double begin_angle);
+  Proposal aligned_with_path(const Situation& situation);
+  bool reverses_to(const Carrot& carrot) const;
   double regulated_speed(const Situation& situation, const Carrot& carrot) const;
   double curvature_for_speed(const Situation& situation, const Carrot& carrot) const;
 
@@ -104,12 +107,17 @@ std::optional<Carrot> PurePursuitLaw::free_carrot(const Situation& situation) co
   return std::nullopt;
 }
 
+// From the robot's heading to a carrot, to which it may drive backwards.
+double PurePursuitLaw::angle_to(const Situation& situation, const Carrot& carrot) const {
+  const bool reverses = params_.allow_reversing && situation.path.is_reverse;
+  return reverses ? std::atan2(-carrot.in_base.y, -carrot.in_base.x)
+                  : std::atan2(carrot.in_base.y, carrot.in_base.x);
+}
+
 std::optional<Twist2> PurePursuitLaw::turn_on_spot(const Situation& situation, const Carrot& carrot,
                                                    double begin_angle) {
   if (!params_.use_rotate_to_heading || !setup_.can_turn_on_spot()) return std::nullopt;
-  const bool reverses = params_.allow_reversing && situation.path.is_reverse;
-  const double toward = reverses ? std::atan2(-carrot.in_base.y, -carrot.in_base.x)
-                                 : std::atan2(carrot.in_base.y, carrot.in_base.x);
+  const double toward = angle_to(situation, carrot);
   // A turn once begun ends well within the angle that began it.
   constexpr double kEnd = 0.25;
   is_turning_ = std::fabs(toward) > (is_turning_ ? kEnd * begin_angle : begin_angle);
@@ -153,22 +161,28 @@ double PurePursuitLaw::regulated_speed(const Situation& situation, const Carrot&
   return std::min({speed, stop, setup_.limits.wz_max * radius_m});
 }
 
+// Where no carrot is free: a turn toward what is next on the path.
+Proposal PurePursuitLaw::aligned_with_path(const Situation& situation) {
+  constexpr double kAligned = 0.1;  // [rad]
+  const Carrot blocked = carrot_at(situation, setup_.footprint.circumscribed_radius);
+  const auto aligning = turn_on_spot(situation, blocked, kAligned);
+  if (aligning) return {*aligning, Failure::kNone, ""};
+  return {{}, Failure::kBlocked, "The arc to the lookahead point is blocked by an obstacle."};
+}
+
+bool PurePursuitLaw::reverses_to(const Carrot& carrot) const {
+  const bool is_behind = std::fabs(std::atan2(carrot.in_base.y, carrot.in_base.x)) > 0.5 * kPi;
+  return setup_.limits.vx_min < 0.0 && is_behind &&
+         (params_.allow_reversing || !setup_.can_turn_on_spot());
+}
+
 Proposal PurePursuitLaw::propose(const Situation& situation) {
   const std::optional<Carrot> carrot = free_carrot(situation);
-  if (!carrot) {
-    constexpr double kAligned = 0.1;  // with what is next on the path [rad]
-    const Carrot blocked = carrot_at(situation, setup_.footprint.circumscribed_radius);
-    const auto aligning = turn_on_spot(situation, blocked, kAligned);
-    if (aligning) return {*aligning, Failure::kNone, ""};
-    return {{}, Failure::kBlocked, "The arc to the lookahead point is blocked by an obstacle."};
-  }
+  if (!carrot) return aligned_with_path(situation);
   const auto turn = turn_on_spot(situation, *carrot, params_.rotate_to_heading_min_angle);
   if (turn) return {*turn, Failure::kNone, ""};
-  const bool is_behind = std::fabs(std::atan2(carrot->in_base.y, carrot->in_base.x)) > 0.5 * kPi;
-  const bool reverses = setup_.limits.vx_min < 0.0 && is_behind &&
-                        (params_.allow_reversing || !setup_.can_turn_on_spot());
   double speed = regulated_speed(situation, *carrot);
-  if (reverses) speed = std::max(-speed, setup_.limits.vx_min);
+  if (reverses_to(*carrot)) speed = std::max(-speed, setup_.limits.vx_min);
   return {{speed, 0.0, speed * carrot->curvature}, Failure::kNone, ""};
 }
 

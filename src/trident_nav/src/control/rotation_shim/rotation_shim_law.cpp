@@ -49,6 +49,10 @@ class RotationShimLaw final : public ControlLaw {
 
  private:
   std::optional<double> angle_off(const Situation& situation) const;
+  bool may_turn() const {
+    return setup_.can_turn_on_spot() && !(params_.rotate_to_heading_once && has_turned_);
+  }
+  std::optional<double> angle_to_turn(const Situation& situation) const;
   bool is_turn_free(const Situation& situation, double angle) const;
   Twist2 turn(const RobotState& state, double angle) const;
 
@@ -101,13 +105,17 @@ Twist2 RotationShimLaw::turn(const RobotState& state, double angle) const {
   return {0.0, 0.0, std::clamp(wanted, now - change, now + change)};
 }
 
-Proposal RotationShimLaw::propose(const Situation& situation) {
-  const bool may_turn =
-      setup_.can_turn_on_spot() && !(params_.rotate_to_heading_once && has_turned_);
-  const auto angle = may_turn ? angle_off(situation) : std::nullopt;
+// What is worth a turn on the spot.
+std::optional<double> RotationShimLaw::angle_to_turn(const Situation& situation) const {
+  const auto angle = may_turn() ? angle_off(situation) : std::nullopt;
   const double threshold =
       is_turning_ ? params_.angular_disengage_threshold : params_.angular_dist_threshold;
-  is_turning_ = angle && std::fabs(*angle) > threshold;
+  return angle && std::fabs(*angle) > threshold ? angle : std::nullopt;
+}
+
+Proposal RotationShimLaw::propose(const Situation& situation) {
+  const std::optional<double> angle = angle_to_turn(situation);
+  is_turning_ = angle.has_value();
   if (!is_turning_) {
     has_turned_ = true;
     return primary_->propose(situation);

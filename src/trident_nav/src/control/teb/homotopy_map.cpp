@@ -78,7 +78,7 @@ bool HomotopyMap::flood(int seed, std::vector<std::uint8_t>* seen) const {
     for (int k = 0; k < 9; ++k) {
       const int nx = x + k % 3 - 1;
       const int ny = y + k / 3 - 1;
-      if (nx < 0 || ny < 0 || nx >= width_ || ny >= height_) continue;
+      if (!contains(nx, ny)) continue;
       const int neighbor = ny * width_ + nx;
       const auto next = static_cast<std::size_t>(neighbor);
       if (is_blocked_[next] == 0 || (*seen)[next] != 0) continue;

@@ -57,6 +57,7 @@ class HomotopyMap {
   Point2 point(int node) const;
   int node_at(const Point2& point) const;
   bool is_edge(int x, int y) const;
+  bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
   friend class HomotopySearch;
 
   int width_ = 0, height_ = 0;

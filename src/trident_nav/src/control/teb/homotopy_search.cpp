@@ -58,6 +58,13 @@ bool HomotopySearch::close(const State& state, std::size_t count) {
   return true;
 }
 
+/// Whether the lattice has a node there that a path may pass, or end at.
+bool HomotopySearch::can_enter(int x, int y) const {
+  if (!map_.contains(x, y)) return false;
+  const int node = y * map_.width_ + x;
+  return node == goal_ || map_.is_blocked_[static_cast<std::size_t>(node)] == 0;
+}
+
 void HomotopySearch::expand(std::size_t index) {
   const State from = states_[index];
   const int x = from.node % map_.width_;
@@ -66,10 +73,8 @@ void HomotopySearch::expand(std::size_t index) {
   for (int k = 0; k < 9; ++k) {
     const int nx = x + k % 3 - 1;
     const int ny = y + k / 3 - 1;
-    if (k == 4 || nx < 0 || ny < 0 || nx >= map_.width_ || ny >= map_.height_) continue;
+    if (k == 4 || !can_enter(nx, ny)) continue;
     const int next = ny * map_.width_ + nx;
-    const bool is_blocked = map_.is_blocked_[static_cast<std::size_t>(next)] != 0;
-    if (is_blocked && next != goal_) continue;
     const Point2 there = map_.point(next);
     const HSignature signature = added(from.signature, map_.crossed(here, there));
     if (is_loop(signature)) continue;

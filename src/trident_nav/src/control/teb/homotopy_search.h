@@ -30,6 +30,7 @@ class HomotopySearch {
 
   void push(const State& state);
   bool close(const State& state, std::size_t count);
+  bool can_enter(int x, int y) const;
   void expand(std::size_t index);
   HomotopyPath path_to(std::size_t index) const;
 

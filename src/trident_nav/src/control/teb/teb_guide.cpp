@@ -58,6 +58,14 @@ void append_turn(const Pose2& start, double yaw, double max_turn, Path* poses) {
   }
 }
 
+// Whether a band that is not known yet begins backwards.
+bool begins_backward(const TebModel& model, const TebGuide& guide, double direction) {
+  const double ahead = wrap_angle(direction - guide.start.yaw);
+  const bool may_begin_backward =
+      model.params.allow_init_with_backwards_motion && model.limits.vx_min < 0.0;
+  return guide.task.is_reverse || (may_begin_backward && std::fabs(ahead) > 0.5 * kPi);
+}
+
 }  // namespace
 
 double first_direction(const std::vector<Point2>& points, double length_m) {
@@ -93,12 +101,7 @@ TebBand guess_band(const TebModel& model, const TebGuide& guide,
   const double step_m =
       std::min(0.8 * model.spacing.max_step_m, model.pace.v * model.spacing.dt_ref_s);
   const std::vector<Point2> line = thinned(points, step_m);
-  bool is_backward = guide.task.is_reverse;
-  const double ahead = wrap_angle(first_direction(line, step_m) - guide.start.yaw);
-  if (model.params.allow_init_with_backwards_motion && model.limits.vx_min < 0.0 &&
-      std::fabs(ahead) > 0.5 * kPi) {
-    is_backward = true;
-  }
+  const bool is_backward = begins_backward(model, guide, first_direction(line, step_m));
   Path poses{guide.start};
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     const double travel = direction(line[i - 1], line[i + 1]);

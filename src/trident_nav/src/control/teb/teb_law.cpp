@@ -37,6 +37,7 @@ class TebLaw final : public ControlLaw {
  private:
   static constexpr double kShortShare = 0.5;
 
+  Twist2 first_motion(const TebBand& band) const;
   Twist2 command_of(const Situation& situation, const TebBand& band) const;
   Proposal without_band(const Situation& situation);
 
@@ -48,7 +49,8 @@ class TebLaw final : public ControlLaw {
   double shortened_s_ = 0.0;
 };
 
-Twist2 TebLaw::command_of(const Situation& situation, const TebBand& band) const {
+// The mean motion to the pose of the band that the parameters look ahead to.
+Twist2 TebLaw::first_motion(const TebBand& band) const {
   const auto kept = static_cast<std::size_t>(model_.params.prevent_look_ahead_poses_near_goal);
   const std::size_t last = band.size() - 1 - std::min(kept, band.size() - 2);
   const auto ahead = static_cast<std::size_t>(model_.params.control_look_ahead_poses);
@@ -58,6 +60,11 @@ Twist2 TebLaw::command_of(const Situation& situation, const TebBand& band) const
   const SegmentMotion motion = segment_motion(band[0], band[end], ArcLength::kExact);
   Twist2 twist{motion.along.value / time_s, 0.0, motion.turn.value / time_s};
   if (model_.is_holonomic) twist.vy = motion.across.value / time_s;
+  return twist;
+}
+
+Twist2 TebLaw::command_of(const Situation& situation, const TebBand& band) const {
+  Twist2 twist = first_motion(band);
   // The robot that is not yet as fast keeps the curvature.
   const TwistWindow& window = situation.window;
   const double reached = std::clamp(twist.vx, window.lo.vx, window.hi.vx);
@@ -65,15 +72,10 @@ Twist2 TebLaw::command_of(const Situation& situation, const TebBand& band) const
     twist.wz *= reached / twist.vx;
     twist.vx = reached;
   }
-  const LocalPath& path = situation.path;
-  if (!path.reaches_goal || model_.params.free_goal_vel) return twist;
+  if (!situation.path.reaches_goal || model_.params.free_goal_vel) return twist;
   // Whatever the band hopes for, the robot must be able to stop at the goal.
-  const double stop =
-      stopping_speed(distance_left(situation), model_.limits.decel_max, setup_.period_s);
-  const double speed = std::hypot(twist.vx, twist.vy);
-  if (speed <= stop || speed == 0.0) return twist;
-  const double share = stop / speed;
-  return {share * twist.vx, share * twist.vy, share * twist.wz};
+  return slowed_to(
+      stopping_speed(distance_left(situation), model_.limits.decel_max, setup_.period_s), twist);
 }
 
 /// Where no band is free: a turn toward the path, if the robot can turn there.

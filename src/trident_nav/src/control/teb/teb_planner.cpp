@@ -33,6 +33,22 @@ bool is_segment_free(const Situation& situation, const Pose2& from, const Pose2&
   return true;
 }
 
+// How many of a band's segments, from its beginning on, must be free.
+std::size_t segments_to_check(const TebParams& params, const TebBand& band) {
+  std::size_t count = band.size() - 1;
+  if (params.feasibility_check_no_poses >= 0) {
+    count = std::min(count, static_cast<std::size_t>(params.feasibility_check_no_poses));
+  }
+  const double limit_m = params.feasibility_check_lookahead_distance;
+  if (limit_m < 0.0) return count;
+  const Pose2& start = band.front().pose;
+  for (std::size_t i = 1; i < count; ++i) {
+    const Pose2& next = band[i + 1].pose;
+    if (distance(start.x, start.y, next.x, next.y) > limit_m) return i;
+  }
+  return count;
+}
+
 // Whether a band leaves its beginning and comes back to it.
 bool comes_back(const TebBand& band, double near_m) {
   const Pose2& start = band.front().pose;
@@ -66,19 +82,10 @@ ConsideredTrajectory trajectory_of(const TebBand& band) {
 }  // namespace
 
 bool is_band_free(const TebModel& model, const Situation& situation, const TebBand& band) {
-  const TebParams& p = model.params;
-  std::size_t count = band.size() - 1;
-  if (p.feasibility_check_no_poses >= 0) {
-    count = std::min(count, static_cast<std::size_t>(p.feasibility_check_no_poses));
-  }
-  const Pose2& start = band.front().pose;
+  const double max_turn = model.params.min_resolution_collision_check_angular;
+  const std::size_t count = segments_to_check(model.params, band);
   for (std::size_t i = 0; i < count; ++i) {
-    const Pose2& next = band[i + 1].pose;
-    const double away_m = distance(start.x, start.y, next.x, next.y);
-    const double limit_m = p.feasibility_check_lookahead_distance;
-    if (limit_m >= 0.0 && i > 0 && away_m > limit_m) break;
-    const double max_turn = p.min_resolution_collision_check_angular;
-    if (!is_segment_free(situation, band[i].pose, next, max_turn)) return false;
+    if (!is_segment_free(situation, band[i].pose, band[i + 1].pose, max_turn)) return false;
   }
   return true;
 }
@@ -165,16 +172,19 @@ void TebPlanner::untangle(const TebGuide& guide, TebBand* band) const {
 }
 
 void TebPlanner::explore(const TebGuide& guide, const HomotopyMap& map, HSignature initial) {
-  const TebParams& p = model_.params;
   add_band(guide, guide.points, initial);
   for (Candidate& candidate : candidates_) {
     candidate.is_initial = candidate.signature == initial;
     if (candidate.is_initial) untangle(guide, &candidate.band);
   }
+  if (model_.params.enable_homotopy_class_planning) add_other_classes(guide, map);
+}
+
+/// Bands that pass obstacles otherwise than those that are known.
+void TebPlanner::add_other_classes(const TebGuide& guide, const HomotopyMap& map) {
+  const TebParams& p = model_.params;
   const auto most = static_cast<std::size_t>(p.max_number_classes);
-  if (!p.enable_homotopy_class_planning || map.obstacles() == 0 || candidates_.size() >= most) {
-    return;
-  }
+  if (map.obstacles() == 0 || candidates_.size() >= most) return;
   const std::vector<HomotopyPath> paths = map.paths(guide.points.front(), guide.points.back(), most,
                                                     p.max_ratio_detours_duration_best_duration);
   for (const HomotopyPath& path : paths) {
@@ -226,7 +236,7 @@ double TebPlanner::weighed_cost(const Candidate& candidate, double now_s) const 
   return is_held && candidate.is_present ? 0.0 : sum;
 }
 
-TebPlanner::Candidate* TebPlanner::best(double now_s) {
+TebPlanner::Candidate* TebPlanner::cheapest_free(double now_s) {
   Candidate* found = nullptr;
   for (Candidate& candidate : candidates_) {
     if (!candidate.is_free) continue;
@@ -234,6 +244,11 @@ TebPlanner::Candidate* TebPlanner::best(double now_s) {
       found = &candidate;
     }
   }
+  return found;
+}
+
+TebPlanner::Candidate* TebPlanner::best(double now_s) {
+  Candidate* const found = cheapest_free(now_s);
   if (found != nullptr && !found->is_present) switched_s_ = now_s;
   for (Candidate& candidate : candidates_) candidate.is_present = &candidate == found;
   return found;
@@ -269,6 +284,12 @@ void TebPlanner::describe(ControlDetails* details) const {
   }
 }
 
+void TebPlanner::sign_bands(const HomotopyMap& map) {
+  for (Candidate& candidate : candidates_) {
+    candidate.signature = map.signature(points_of(candidate.band));
+  }
+}
+
 const TebBand* TebPlanner::plan(const Situation& situation, const CostGrid& grid) {
   const TebGuide guide = make_guide(model_, situation);
   const double now_s = situation.state.time_s;
@@ -280,9 +301,7 @@ const TebBand* TebPlanner::plan(const Situation& situation, const CostGrid& grid
   const bool is_fresh = candidates_.empty();
   for (int round = 0; round < (is_fresh ? 1 : 2); ++round) {
     if (round > 0) candidates_.clear();
-    for (Candidate& candidate : candidates_) {
-      candidate.signature = map.signature(points_of(candidate.band));
-    }
+    sign_bands(map);
     explore(guide, map, map.signature(guide.points));
     const TebObstacles obstacles = obstacles_about(situation, guide);
     optimize(situation, guide, shape, obstacles);

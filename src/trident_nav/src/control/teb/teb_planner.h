@@ -47,12 +47,15 @@ class TebPlanner {
   void add_band(const TebGuide& guide, const std::vector<Point2>& points, HSignature signature);
   bool is_known(HSignature signature) const;
   void untangle(const TebGuide& guide, TebBand* band) const;
+  void sign_bands(const HomotopyMap& map);
   void explore(const TebGuide& guide, const HomotopyMap& map, HSignature initial);
+  void add_other_classes(const TebGuide& guide, const HomotopyMap& map);
   void optimize(const Situation& situation, const TebGuide& guide, const FootprintDistance& shape,
                 const TebObstacles& obstacles);
   void drop_doubles(const HomotopyMap& map);
   void drop_detours();
   double weighed_cost(const Candidate& candidate, double now_s) const;
+  Candidate* cheapest_free(double now_s);
   Candidate* best(double now_s);
   TebRegion area_about(const TebGuide& guide) const;
   TebObstacles obstacles_about(const Situation& situation, const TebGuide& guide) const;

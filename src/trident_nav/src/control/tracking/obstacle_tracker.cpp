@@ -20,6 +20,13 @@ bool is_finite(const ScanCluster& cluster) {
          std::isfinite(cluster.radius_m);
 }
 
+void require_finite(const std::vector<ScanCluster>& clusters, double time_s) {
+  if (!std::isfinite(time_s)) throw Error("scan: its time is " + number_text(time_s) + " s");
+  if (!std::all_of(clusters.begin(), clusters.end(), [](const auto& c) { return is_finite(c); })) {
+    throw Error("scan: a cluster is not finite");
+  }
+}
+
 }  // namespace
 
 void ObstacleTracker::reset() {
@@ -66,6 +73,18 @@ void ObstacleTracker::correct(const ScanCluster& cluster, Object* object) const 
   }
 }
 
+/// Whether what stood has moved by more than noise.
+bool ObstacleTracker::begins_to_move(const Object& object, double speed) const {
+  const double traveled_m =
+      distance(object.position.x, object.position.y, object.confirmed_at.x, object.confirmed_at.y);
+  const double noise = object.position_variance + params_.position_noise * params_.position_noise;
+  const bool is_significant =
+      speed * speed > object.velocity_variance && traveled_m * traveled_m > params_.gate * noise;
+  // What is seen from another side has its center elsewhere, by no more than its radius.
+  const double least_m = std::max(params_.min_travel, object.radius_m);
+  return is_significant && speed > params_.min_speed && traveled_m > least_m;
+}
+
 void ObstacleTracker::judge_motion(Object* object) const {
   if (object->seen < params_.confirming_scans) return;
   if (object->seen == params_.confirming_scans) object->confirmed_at = object->position;
@@ -77,18 +96,11 @@ void ObstacleTracker::judge_motion(Object* object) const {
     if (!object->is_moving) object->confirmed_at = object->position;
     return;
   }
-  const double traveled_m = distance(object->position.x, object->position.y, object->confirmed_at.x,
-                                     object->confirmed_at.y);
-  const double noise = object->position_variance + params_.position_noise * params_.position_noise;
-  const bool is_significant =
-      speed * speed > object->velocity_variance && traveled_m * traveled_m > params_.gate * noise;
-  // What is seen from another side has its center elsewhere, by no more than its radius.
-  const double least_m = std::max(params_.min_travel, object->radius_m);
-  object->is_moving = is_significant && speed > params_.min_speed && traveled_m > least_m;
+  object->is_moving = begins_to_move(*object, speed);
 }
 
-// The nearest pairs first; each object and each cluster once.
-void ObstacleTracker::match(const std::vector<ScanCluster>& clusters) {
+/// All pairs within the gate, the nearest first.
+void ObstacleTracker::find_pairs(const std::vector<ScanCluster>& clusters) {
   matches_.clear();
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     for (std::size_t k = 0; k < clusters.size(); ++k) {
@@ -102,6 +114,11 @@ void ObstacleTracker::match(const std::vector<ScanCluster>& clusters) {
   std::sort(matches_.begin(), matches_.end(), [](const Match& a, const Match& b) {
     return std::tie(a.distance, a.object, a.cluster) < std::tie(b.distance, b.object, b.cluster);
   });
+}
+
+// The nearest pairs first; each object and each cluster once.
+void ObstacleTracker::match(const std::vector<ScanCluster>& clusters) {
+  find_pairs(clusters);
   is_used_.assign(clusters.size(), false);
   for (const Match& match : matches_) {
     Object& object = objects_[match.object];
@@ -140,12 +157,7 @@ void ObstacleTracker::drop_lost(const ScanPoints* scan) {
   objects_.erase(std::remove_if(objects_.begin(), objects_.end(), is_lost), objects_.end());
 }
 
-void ObstacleTracker::update(const std::vector<ScanCluster>& clusters, double time_s,
-                             const ScanPoints* scan) {
-  if (!std::isfinite(time_s)) throw Error("scan: its time is " + number_text(time_s) + " s");
-  if (!std::all_of(clusters.begin(), clusters.end(), [](const auto& c) { return is_finite(c); })) {
-    throw Error("scan: a cluster is not finite");
-  }
+void ObstacleTracker::advance_to(double time_s) {
   if (has_time_ && time_s < time_s_) reset();
   const double elapsed_s = has_time_ ? time_s - time_s_ : 0.0;
   time_s_ = time_s;
@@ -154,6 +166,12 @@ void ObstacleTracker::update(const std::vector<ScanCluster>& clusters, double ti
     predict(&object, elapsed_s);
     object.is_matched = false;
   }
+}
+
+void ObstacleTracker::update(const std::vector<ScanCluster>& clusters, double time_s,
+                             const ScanPoints* scan) {
+  require_finite(clusters, time_s);
+  advance_to(time_s);
   match(clusters);
   drop_lost(scan);
   for (std::size_t k = 0; k < clusters.size(); ++k) {

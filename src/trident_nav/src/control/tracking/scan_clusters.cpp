@@ -17,6 +17,15 @@ constexpr double kNothing = std::numeric_limits<double>::infinity();
 
 double separation(const Point2& a, const Point2& b) { return distance(a.x, a.y, b.x, b.y); }
 
+void require_legal(const ScanPoints& scan) {
+  if (!std::isfinite(scan.sensor.x) || !std::isfinite(scan.sensor.y)) {
+    throw Error("scan: the sensor's position is not finite");
+  }
+  if (!(scan.angle_increment > 0.0) || !std::isfinite(scan.angle_increment)) {
+    throw Error("scan: angle_increment is " + number_text(scan.angle_increment) + " rad (> 0)");
+  }
+}
+
 }  // namespace
 
 bool ScanPoints::sees(const Point2& point) const {
@@ -84,22 +93,22 @@ void ScanClusterer::add(const ScanPoints& scan, std::size_t first, std::size_t c
   clusters_.push_back(cluster);
 }
 
-const std::vector<ScanCluster>& ScanClusterer::cluster(const ScanPoints& scan) {
-  if (!std::isfinite(scan.sensor.x) || !std::isfinite(scan.sensor.y)) {
-    throw Error("scan: the sensor's position is not finite");
-  }
-  if (!(scan.angle_increment > 0.0) || !std::isfinite(scan.angle_increment)) {
-    throw Error("scan: angle_increment is " + number_text(scan.angle_increment) + " rad (> 0)");
-  }
-  clusters_.clear();
-  collect_beams(scan);
-  if (beams_.empty()) return clusters_;
-  // A full turn begins at a break, so that no object is cut by the scan's ends.
+/// A full turn begins at a break, so that no object is cut by the scan's ends.
+std::size_t ScanClusterer::first_beam(const ScanPoints& scan) const {
   std::size_t start = 0;
   while (scan.is_full_turn && start + 1 < beams_.size() &&
          !is_break(scan, beams_[(start + beams_.size() - 1) % beams_.size()], beams_[start])) {
     ++start;
   }
+  return start;
+}
+
+const std::vector<ScanCluster>& ScanClusterer::cluster(const ScanPoints& scan) {
+  require_legal(scan);
+  clusters_.clear();
+  collect_beams(scan);
+  if (beams_.empty()) return clusters_;
+  const std::size_t start = first_beam(scan);
   std::size_t first = 0;
   for (std::size_t k = 1; k <= beams_.size(); ++k) {
     const Beam& before = beams_[(start + k - 1) % beams_.size()];

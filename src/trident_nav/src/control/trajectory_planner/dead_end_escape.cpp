@@ -23,14 +23,19 @@ double DeadEndEscape::distance_m() const {
   return std::max(limits_.distance_m, std::min(wanted_m, 0.5 * limits_.leaving_m));
 }
 
+bool DeadEndEscape::is_over(const Pose2& pose) const {
+  return from_ && (moved_m(*from_, pose) > distance_m() ||
+                   (!is_straight() && turned(*from_, pose) > limits_.turn));
+}
+
+bool DeadEndEscape::has_left(const Pose2& pose) const {
+  return dead_end_ &&
+         (moved_m(*dead_end_, pose) > limits_.leaving_m || turned(*dead_end_, pose) > 0.5 * kPi);
+}
+
 bool DeadEndEscape::update(const RobotState& state) {
-  const Pose2& pose = state.pose;
-  if (from_ && (moved_m(*from_, pose) > distance_m() ||
-                (!is_straight() && turned(*from_, pose) > limits_.turn))) {
-    from_.reset();
-  }
-  if (dead_end_ &&
-      (moved_m(*dead_end_, pose) > limits_.leaving_m || turned(*dead_end_, pose) > 0.5 * kPi)) {
+  if (is_over(state.pose)) from_.reset();
+  if (has_left(state.pose)) {
     dead_end_.reset();
     count_ = 0;
   }

@@ -38,6 +38,8 @@ class DeadEndEscape {
 
  private:
   double distance_m() const;
+  bool is_over(const Pose2& pose) const;   ///< The escape.
+  bool has_left(const Pose2& pose) const;  ///< The dead end.
 
   Limits limits_;
   std::optional<Pose2> from_;      // where the escape began

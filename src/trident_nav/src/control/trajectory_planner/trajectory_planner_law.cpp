@@ -53,11 +53,17 @@ class TrajectoryPlannerLaw final : public ControlLaw {
   void add_critics();
   void collect_drives(const Situation& situation);
   void collect_turns(const TwistWindow& window);
-  void collect_sideways();
   std::optional<Twist2> back_off(const DwaScene& scene);
   std::optional<Twist2> turn(const DwaScene& scene, const std::optional<RatedTwist>& drive);
+  std::optional<Twist2> best_turn(const DwaScene& scene, const std::optional<RatedTwist>& drive,
+                                  const Twist2& any);
   bool leads_back(const Situation& situation) const;
+  bool can_drive(const Situation& situation) const;
+  std::optional<RatedTwist> short_drive(const DwaScene& scene);
+  std::optional<Twist2> sideways(const DwaScene& scene);
   std::optional<Twist2> choose(const DwaScene& scene);
+  void begin_escape_if_stuck(const RobotState& state);
+  Proposal escaping(const DwaScene& scene);
 
   TrajectoryPlannerParams params_;
   ControlSetup setup_;
@@ -153,15 +159,6 @@ void TrajectoryPlannerLaw::collect_turns(const TwistWindow& window) {
   }
 }
 
-void TrajectoryPlannerLaw::collect_sideways() {
-  constexpr double kForward = 0.1;  // upstream's [m/s]
-  samples_.clear();
-  for (const double vy : params_.y_vels) {
-    samples_.push_back({0.0, vy, 0.0});
-    samples_.push_back({std::min(kForward, setup_.limits.vx_max), vy, 0.0});
-  }
-}
-
 /// Backwards, the slower the less room there is; nothing where there is no room.
 std::optional<Twist2> TrajectoryPlannerLaw::back_off(const DwaScene& scene) {
   constexpr double kAhead_s = 0.5;
@@ -182,9 +179,16 @@ std::optional<Twist2> TrajectoryPlannerLaw::turn(const DwaScene& scene,
                                  params_.dwa ? setup_.period_s : params_.sim_time));
   const auto any = search_.best(samples_, scene, critics_);
   if (!any || (drive && any->score > drive->score)) return std::nullopt;
+  return best_turn(scene, drive, any->twist);
+}
+
+/// Of the samples the one that improves the heading most; `any` where nothing says which does. A
+/// turn that does not improve it is made only where the robot cannot drive.
+std::optional<Twist2> TrajectoryPlannerLaw::best_turn(const DwaScene& scene,
+                                                      const std::optional<RatedTwist>& drive,
+                                                      const Twist2& any) {
   const auto chosen = search_.best(samples_, scene, turn_critics_);
-  if (!chosen) return any->twist;
-  // A turn that does not improve the heading is made only where the robot cannot drive.
+  if (!chosen) return any;
   samples_.assign(1, Twist2{});
   const auto standing = search_.best(samples_, scene, turn_critics_);
   if (drive && standing && chosen->score >= standing->score) return std::nullopt;
@@ -200,27 +204,61 @@ bool TrajectoryPlannerLaw::leads_back(const Situation& situation) const {
          0.0;
 }
 
+bool TrajectoryPlannerLaw::can_drive(const Situation& situation) const {
+  return !escape_.is_active() && !leads_back(situation);
+}
+
+/// Between obstacles the samples may all be in contact at their ends: then what is free for a
+/// shorter time will do, in which the robot can still stop.
+std::optional<RatedTwist> TrajectoryPlannerLaw::short_drive(const DwaScene& scene) {
+  collect_drives(scene.situation);
+  const double stop_s = setup_.limits.vx_max / setup_.limits.decel_max + 4.0 * setup_.period_s;
+  for (double s = 0.5 * params_.sim_time; s >= stop_s; s *= 0.5) {
+    if (const auto drive = search_.best(samples_, scene, critics_, s)) return drive;
+  }
+  return std::nullopt;
+}
+
+std::optional<Twist2> TrajectoryPlannerLaw::sideways(const DwaScene& scene) {
+  constexpr double kForward = 0.1;  // upstream's [m/s]
+  if (!(setup_.limits.vy_max > 0.0)) return std::nullopt;
+  samples_.clear();
+  for (const double vy : params_.y_vels) {
+    samples_.push_back({0.0, vy, 0.0});
+    samples_.push_back({std::min(kForward, setup_.limits.vx_max), vy, 0.0});
+  }
+  const auto chosen = search_.best(samples_, scene, critics_);
+  return chosen ? std::optional<Twist2>(chosen->twist) : std::nullopt;
+}
+
 std::optional<Twist2> TrajectoryPlannerLaw::choose(const DwaScene& scene) {
   std::optional<RatedTwist> drive;
-  const bool can_drive = !escape_.is_active() && !leads_back(scene.situation);
-  if (can_drive) {
+  const bool drives = can_drive(scene.situation);
+  if (drives) {
     collect_drives(scene.situation);
     drive = search_.best(samples_, scene, critics_);
   }
   if (const auto turning = turn(scene, drive)) return turning;
-  // Between obstacles the samples may all be in contact at their ends: then what is free for a
-  // shorter time will do, in which the robot can still stop.
-  if (can_drive && !drive) collect_drives(scene.situation);
-  const double stop_s = setup_.limits.vx_max / setup_.limits.decel_max + 4.0 * setup_.period_s;
-  for (double s = 0.5 * params_.sim_time; can_drive && !drive && s >= stop_s; s *= 0.5) {
-    drive = search_.best(samples_, scene, critics_, s);
-  }
+  if (drives && !drive) drive = short_drive(scene);
   if (drive) return drive->twist;
-  if (setup_.limits.vy_max > 0.0) {
-    collect_sideways();
-    if (const auto sideways = search_.best(samples_, scene, critics_)) return sideways->twist;
+  return sideways(scene);
+}
+
+/// What looks free and is not, as the guard sees it, is left backwards, too.
+void TrajectoryPlannerLaw::begin_escape_if_stuck(const RobotState& state) {
+  const bool is_stuck = escape_.update(state);
+  if (is_stuck && params_.escape_vel < 0.0) escape_.begin(state, true);
+}
+
+/// Where no velocity is free of contact: backwards, if the robot may.
+Proposal TrajectoryPlannerLaw::escaping(const DwaScene& scene) {
+  if (!(params_.escape_vel < 0.0)) {
+    return {{}, Failure::kBlocked, "Each velocity that can be reached leads to contact."};
   }
-  return std::nullopt;
+  escape_.begin(scene.situation.state);
+  const auto back = back_off(scene);
+  // Of a robot in contact only the guard knows whether it leaves that.
+  return {back.value_or(Twist2{kSlowest * params_.escape_vel, 0.0, 0.0}), Failure::kNone, ""};
 }
 
 Proposal TrajectoryPlannerLaw::propose(const Situation& situation) {
@@ -229,30 +267,19 @@ Proposal TrajectoryPlannerLaw::propose(const Situation& situation) {
   if (const auto twist = straight_to_goal(situation, setup_, near_m)) {
     return {*twist, Failure::kNone, ""};
   }
-  const bool can_back_off = params_.escape_vel < 0.0;
-  // What looks free and is not, as the guard sees it, is left backwards, too.
-  const bool is_stuck = escape_.update(situation.state);
-  if (is_stuck && can_back_off) escape_.begin(situation.state, true);
+  begin_escape_if_stuck(situation.state);
   const DwaScene scene = search_.begin(situation);
   if (escape_.is_straight()) {
     if (const auto back = back_off(scene)) return {*back, Failure::kNone, ""};
   }
   const auto chosen = choose(scene);
   last_drive_ = chosen;
-  if (chosen) {
-    for (const auto& critic : critics_) critic->on_chosen(scene, *chosen);
-    search_.describe(*chosen, scene,
-                     {false, params_.publish_cost_grid_pc, params_.path_distance_bias,
-                      params_.goal_distance_bias, params_.occdist_scale});
-    return {*chosen, Failure::kNone, ""};
-  }
-  if (can_back_off) {
-    escape_.begin(situation.state);
-    const auto back = back_off(scene);
-    // Of a robot in contact only the guard knows whether it leaves that.
-    return {back.value_or(Twist2{kSlowest * params_.escape_vel, 0.0, 0.0}), Failure::kNone, ""};
-  }
-  return {{}, Failure::kBlocked, "Each velocity that can be reached leads to contact."};
+  if (!chosen) return escaping(scene);
+  for (const auto& critic : critics_) critic->on_chosen(scene, *chosen);
+  search_.describe(*chosen, scene,
+                   {false, params_.publish_cost_grid_pc, params_.path_distance_bias,
+                    params_.goal_distance_bias, params_.occdist_scale});
+  return {*chosen, Failure::kNone, ""};
 }
 
 }  // namespace

@@ -47,6 +47,15 @@ bool is_blocked(const CriticScene& scene, std::size_t point) {
   return d < scene.model.inscribed_radius;
 }
 
+/// The share of the path's points up to one that the robot's center cannot pass.
+double blocked_ratio(const CriticScene& scene, int last) {
+  int blocked = 0;
+  for (int i = 0; i <= last; ++i) {
+    if (is_blocked(scene, static_cast<std::size_t>(i))) ++blocked;
+  }
+  return static_cast<double>(blocked) / (last + 1);
+}
+
 }  // namespace
 
 CriticScene make_critic_scene(const MppiModel& model, const Situation& situation,
@@ -89,11 +98,7 @@ void find_furthest(const Rollouts& rollouts, CriticScene* scene) {
   const double reached_m = static_cast<double>(scene->path_spacing) * scene->furthest;
   scene->leaves_backwards =
       reached_m > scene->model.circumscribed_radius && ahead < kStuckShare * scene->furthest;
-  int blocked = 0;
-  for (int i = 0; i <= scene->furthest; ++i) {
-    if (is_blocked(*scene, static_cast<std::size_t>(i))) ++blocked;
-  }
-  scene->blocked_ratio = static_cast<double>(blocked) / (scene->furthest + 1);
+  scene->blocked_ratio = blocked_ratio(*scene, scene->furthest);
 }
 
 }  // namespace trident::nav
