@@ -32,16 +32,23 @@ bool is_between(const Point2& p, const Point2& a, const Point2& b) {
          p.y <= std::max(a.y, b.y);
 }
 
+/// Whether two points lie on different sides of a line, and neither on it.
+bool are_apart(double side, double other_side) {
+  return side != 0 && other_side != 0 && (side > 0) != (other_side > 0);
+}
+
+/// Whether a point is on a segment; `side`: of the line through the segment, 0 on it.
+bool is_on(const Point2& p, double side, const Point2& a, const Point2& b) {
+  return side == 0 && is_between(p, a, b);
+}
+
 /// True when two segments have a point in common.
 bool segments_intersect(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const double c_side = cross(a, b, c), d_side = cross(a, b, d);
   const double a_side = cross(c, d, a), b_side = cross(c, d, b);
-  if (((c_side > 0) != (d_side > 0)) && ((a_side > 0) != (b_side > 0)) && c_side != 0 &&
-      d_side != 0 && a_side != 0 && b_side != 0) {
-    return true;
-  }
-  return (c_side == 0 && is_between(c, a, b)) || (d_side == 0 && is_between(d, a, b)) ||
-         (a_side == 0 && is_between(a, c, d)) || (b_side == 0 && is_between(b, c, d));
+  if (are_apart(c_side, d_side) && are_apart(a_side, b_side)) return true;
+  return is_on(c, c_side, a, b) || is_on(d, d_side, a, b) || is_on(a, a_side, c, d) ||
+         is_on(b, b_side, c, d);
 }
 
 double twice_area(const std::vector<Point2>& points) {

@@ -53,6 +53,13 @@ double tolerance_of(double before_m, double after_m) {
   return std::clamp(kShare * std::min(before_m, after_m), kMin_m, kMax_m);
 }
 
+/// Whether the robot changes gear at a pose, and turns back there.
+bool is_cusp(const Pose2& before, const Pose2& at, const Pose2& after) {
+  const double turn = std::fabs(wrap_angle(direction(at, after) - direction(before, at)));
+  const bool changes_gear = is_backward(before, at) != is_backward(at, after);
+  return changes_gear && turn > 0.5 * kPi;
+}
+
 }  // namespace
 
 bool Cusp::is_passed(double left_m, double last_left_m) const {
@@ -74,10 +81,7 @@ std::vector<Cusp> cusps_of(const Path& path) {
   for (std::size_t k = 1; k < places.size(); ++k) {
     part_m += distance(at(k - 1).x, at(k - 1).y, at(k).x, at(k).y);
     if (k + 1 == places.size()) break;
-    const double turn =
-        std::fabs(wrap_angle(direction(at(k), at(k + 1)) - direction(at(k - 1), at(k))));
-    const bool changes_gear = is_backward(at(k - 1), at(k)) != is_backward(at(k), at(k + 1));
-    if (!changes_gear || turn <= 0.5 * kPi) continue;
+    if (!is_cusp(at(k - 1), at(k), at(k + 1))) continue;
     cusps.push_back({places[k], 0.0});
     parts_m.push_back(part_m);
     part_m = 0.0;

@@ -44,6 +44,15 @@ bool LayerStack::enabled_changed() const {
   return false;
 }
 
+void LayerStack::add_to_stages(Layer* layer) {
+  if (auto* area = dynamic_cast<AreaLayer*>(layer)) {
+    stages_.emplace_back().area = area;
+  } else if (auto* cells = dynamic_cast<CellLayer*>(layer)) {
+    if (stages_.back().area != nullptr) stages_.emplace_back();
+    stages_.back().cells.push_back(cells);
+  }
+}
+
 void LayerStack::arrange_stages() {
   std::vector<Stage> old;
   std::swap(old, stages_);
@@ -51,13 +60,7 @@ void LayerStack::arrange_stages() {
   stages_.emplace_back();  // without layers it spreads the background
   for (const auto& layer : layers_) {
     enabled_.push_back(layer->is_enabled());
-    if (!layer->is_enabled()) continue;
-    if (auto* area = dynamic_cast<AreaLayer*>(layer.get())) {
-      stages_.emplace_back().area = area;
-    } else if (auto* cells = dynamic_cast<CellLayer*>(layer.get())) {
-      if (stages_.back().area != nullptr) stages_.emplace_back();
-      stages_.back().cells.push_back(cells);
-    }
+    if (layer->is_enabled()) add_to_stages(layer.get());
   }
   for (std::size_t i = 0; i < std::min(stages_.size(), old.size()); ++i) {
     std::swap(stages_[i].output, old[i].output);  // large enough already
@@ -92,14 +95,20 @@ void LayerStack::update(const CostmapInput& input) {
   is_everything_new_ = false;
 }
 
-void LayerStack::update_stage(std::size_t index, const CostmapInput& input) {
+/// What changed in the layers of a stage or below it.
+void LayerStack::collect_changes(std::size_t index, const CostmapInput& input) {
   Stage& stage = stages_[index];
-  const std::uint8_t* below = index == 0 ? nullptr : stages_[index - 1].output.data();
   stage.changed.clear();
   for (CellLayer* layer : stage.cells) layer->update(input, stage.changed);
   if (stage.area != nullptr) stage.area->update(input, stage.changed);
   if (index > 0) stage.changed.insert(stages_[index - 1].changed);
   if (is_everything_new_) stage.changed.insert_all();
+}
+
+void LayerStack::update_stage(std::size_t index, const CostmapInput& input) {
+  collect_changes(index, input);
+  Stage& stage = stages_[index];
+  const std::uint8_t* below = index == 0 ? nullptr : stages_[index - 1].output.data();
   if (!stage.changed.empty()) {
     if (stage.area != nullptr) {
       stage.area->process(below, stage.output.data(), stage.changed);

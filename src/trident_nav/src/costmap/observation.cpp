@@ -45,6 +45,10 @@ BeamRange beam_range(const LaserScan& scan, std::size_t beam, bool inf_is_valid)
   return {std::numeric_limits<double>::quiet_NaN(), false};
 }
 
+bool has_legal_ranges(const LaserScan& scan) {
+  return scan.range_min >= 0.0 && scan.range_max > scan.range_min && std::isfinite(scan.range_max);
+}
+
 }  // namespace
 
 std::string scan_fault(const LaserScan& scan) {
@@ -52,8 +56,7 @@ std::string scan_fault(const LaserScan& scan) {
   if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment)) {
     return "angle_min and angle_increment of the scan must be finite";
   }
-  const bool are_ordered = scan.range_min >= 0.0 && scan.range_max > scan.range_min;
-  if (!are_ordered || !std::isfinite(scan.range_max)) {
+  if (!has_legal_ranges(scan)) {
     return "the scan's ranges go from range_min " + number_text(scan.range_min) +
            " m to range_max " + number_text(scan.range_max) +
            " m; 0 <= range_min < range_max is legal";

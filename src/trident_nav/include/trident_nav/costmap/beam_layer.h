@@ -131,7 +131,10 @@ class BeamLayer : public CellLayer {
       for (const BeamSource::Stored& stored : source.stored()) visit(source, stored);
     }
   }
+  void find_kept_marks();
   void find_kept_marks(const Observation& observation, const Reach& reach);
+  void clear_fresh_beams();
+  void mark_all_ends(double now_s);
   void keep_around(const Point2& p);
   void clear_footprint(const Pose2& robot);
   void set_row(int y, int x0, int x1, std::uint8_t cost);

@@ -11,19 +11,23 @@
 
 namespace trident::nav {
 
+/// A distance in cells, if it is a whole number of them.
+inline std::optional<int> whole_cells(double distance_m, double resolution_m) {
+  constexpr double kRounding = 1e-3, kMaxCells = 1e9;  // [cells]
+  const double cells = distance_m / resolution_m;
+  if (!(std::abs(cells) < kMaxCells)) return std::nullopt;
+  const int whole = static_cast<int>(std::lround(cells));
+  return std::abs(cells - whole) > kRounding ? std::nullopt : std::optional<int>(whole);
+}
+
 /// How many cells the origin of `to` lies from that of `from`, when both have the same cells but
 /// for where they begin and end: equal resolution, and a whole number of cells between them.
 inline std::optional<Cell> whole_cell_offset(const GridGeometry& from, const GridGeometry& to) {
   if (from.resolution != to.resolution || from.resolution <= 0.0) return std::nullopt;
-  const double x = (to.origin_x - from.origin_x) / from.resolution;
-  const double y = (to.origin_y - from.origin_y) / from.resolution;
-  constexpr double kRounding = 1e-3, kMaxCells = 1e9;  // [cells]
-  if (!(std::abs(x) < kMaxCells && std::abs(y) < kMaxCells)) return std::nullopt;
-  const Cell offset{static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y))};
-  if (std::abs(x - offset.x) > kRounding || std::abs(y - offset.y) > kRounding) {
-    return std::nullopt;
-  }
-  return offset;
+  const std::optional<int> x = whole_cells(to.origin_x - from.origin_x, from.resolution);
+  const std::optional<int> y = whole_cells(to.origin_y - from.origin_y, from.resolution);
+  if (!x || !y) return std::nullopt;
+  return Cell{*x, *y};
 }
 
 inline bool same_cells(const GridGeometry& a, const GridGeometry& b) {

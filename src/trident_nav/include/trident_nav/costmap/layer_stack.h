@@ -45,8 +45,10 @@ class LayerStack {
   };
 
   bool enabled_changed() const;
+  void add_to_stages(Layer* layer);
   void arrange_stages();
   void resize_stages();
+  void collect_changes(std::size_t index, const CostmapInput& input);
   void update_stage(std::size_t index, const CostmapInput& input);
   void combine(const std::uint8_t* below, Stage& stage);
   void combine_span(const std::uint8_t* below, int y, int x0, int x1, Stage& stage);

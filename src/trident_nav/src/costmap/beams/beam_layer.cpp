@@ -83,29 +83,41 @@ void BeamLayer::update(const CostmapInput& input, BlockSet& changed) {
   changed_.clear();
 }
 
-/// Fresh beams clear first, then all sources mark: a mark of one sensor is not cleared by the beam
-/// of another of the same moment. Marks that fresh beams see again are kept aside, so that clearing
-/// does not take them away for an instant.
-void BeamLayer::apply_data(double now_s) {
+void BeamLayer::find_kept_marks() {
   kept_.clear();
-  if (is_all_fresh_) {
-    for (BeamSource& source : sources_) source.set_fresh(true);
-  }
   for_each_stored([&](const BeamSource& source, const BeamSource::Stored& stored) {
     if (stored.is_fresh && source.params().marking) {
       find_kept_marks(stored.observation, reach_of(source.params()));
     }
   });
+}
+
+void BeamLayer::clear_fresh_beams() {
   for_each_stored([&](const BeamSource& source, const BeamSource::Stored& stored) {
     if (stored.is_fresh && source.params().clearing) {
       clear_beams(stored.observation, reach_of(source.params()));
     }
   });
+}
+
+void BeamLayer::mark_all_ends(double now_s) {
   for_each_stored([&](const BeamSource& source, const BeamSource::Stored& stored) {
     if (source.params().marking) {
       mark_ends(stored.observation, reach_of(source.params()), now_s);
     }
   });
+}
+
+/// Fresh beams clear first, then all sources mark: a mark of one sensor is not cleared by the beam
+/// of another of the same moment. Marks that fresh beams see again are kept aside, so that clearing
+/// does not take them away for an instant.
+void BeamLayer::apply_data(double now_s) {
+  if (is_all_fresh_) {
+    for (BeamSource& source : sources_) source.set_fresh(true);
+  }
+  find_kept_marks();
+  clear_fresh_beams();
+  mark_all_ends(now_s);
   for (std::size_t i = 0; i < kept_.size(); ++i) restore_cell(kept_[i], i, now_s);
   for (BeamSource& source : sources_) source.set_fresh(false);
   is_all_fresh_ = false;

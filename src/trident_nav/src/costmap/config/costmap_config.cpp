@@ -301,17 +301,23 @@ class CostmapConfigReader {
     warn_of_unlisted(config, spec.setup.path);
     set_key(config, "sources", std::move(sources));
   }
-  ConfigNode finished_source(ConfigNode source, const ConfigNode& defaults,
-                             const std::string& path) {
+  static void rename_nav2_keys(ConfigNode& source) {
     for (const RenamedKey& renamed : kNav2SourceKeys) {
       std::optional<ConfigNode> value = take_key(source, renamed.old_name);
       if (value) set_key(source, renamed.name, std::move(*value));
     }
+  }
+  static void add_missing(ConfigNode& source, const ConfigNode& defaults) {
     for (std::size_t i = 0; i < defaults.keys.size(); ++i) {
       if (source.find(defaults.keys[i]) == nullptr) {
         set_key(source, defaults.keys[i], defaults.items[i]);
       }
     }
+  }
+  ConfigNode finished_source(ConfigNode source, const ConfigNode& defaults,
+                             const std::string& path) {
+    rename_nav2_keys(source);
+    add_missing(source, defaults);
     if (form_ == Form::kNav2 && source.find("data_type") == nullptr) {
       set_key(source, "data_type", text_node("LaserScan", true));
     }

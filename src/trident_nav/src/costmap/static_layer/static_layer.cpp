@@ -33,17 +33,19 @@ GridGeometry bounding_grid(const GridGeometry& grid, const SE2& T_costmap_grid) 
           static_cast<int>(std::ceil(cells.y() - kTurned)), grid.resolution, least.x(), least.y()};
 }
 
+bool is_finite(const SE2& T) { return T.p.allFinite() && std::isfinite(T.angle); }
+
+bool is_positive(double value) { return value > 0.0 && std::isfinite(value); }
+
 void require_valid(const OccupancyGrid& map) {
-  if (!(map.resolution > 0.0) || !std::isfinite(map.resolution)) {
+  if (!is_positive(map.resolution)) {
     throw Error("the map's resolution is " + number_text(map.resolution) + " m; it must be > 0");
   }
   if (map.width <= 0 || map.height <= 0) {
     throw Error("the map has " + std::to_string(map.width) + " x " + std::to_string(map.height) +
                 " cells; it must have at least one");
   }
-  if (!map.T_map_origin.p.allFinite() || !std::isfinite(map.T_map_origin.angle)) {
-    throw Error("the map's origin must be finite");
-  }
+  if (!is_finite(map.T_map_origin)) throw Error("the map's origin must be finite");
   if (map.cells.size() != map.index(0, map.height)) {
     throw Error("the map has " + std::to_string(map.cells.size()) + " values for its " +
                 std::to_string(map.width) + " x " + std::to_string(map.height) + " cells");
