@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace trident::nav {
 namespace {
@@ -22,19 +21,25 @@ double room_at(const CostGrid& grid, const Pose2& pose) {
 
 }  // namespace
 
-void AvoidedPlaces::add(const CostGrid& grid, const Footprint& footprint, const Path& ahead) {
-  if (ahead.empty() || grid.distance_m == nullptr) return;
-  const double radius_m = footprint.circumscribed_radius;
+/// Of a part of a path, where obstacles are nearer than two radii.
+std::optional<AvoidedPlaces::Disc> AvoidedPlaces::tightest(const CostGrid& grid, const Path& ahead,
+                                                           double radius_m) {
   double walked_m = 0.0, least_m = 2.0 * radius_m;
-  std::optional<Disc> tightest;
+  std::optional<Disc> found;
   for (std::size_t i = 1; i < ahead.size() && walked_m < kRadiiAhead * radius_m; ++i) {
     walked_m += distance(ahead[i - 1].x, ahead[i - 1].y, ahead[i].x, ahead[i].y);
     const double room_m = room_at(grid, ahead[i]);
     if (room_m >= least_m) continue;
     least_m = room_m;
-    tightest = Disc{{ahead[i].x, ahead[i].y}, radius_m};
+    found = Disc{{ahead[i].x, ahead[i].y}, radius_m};
   }
-  if (tightest) places_.push_back(*tightest);
+  return found;
+}
+
+void AvoidedPlaces::add(const CostGrid& grid, const Footprint& footprint, const Path& ahead) {
+  if (ahead.empty() || grid.distance_m == nullptr) return;
+  const std::optional<Disc> place = tightest(grid, ahead, footprint.circumscribed_radius);
+  if (place) places_.push_back(*place);
 }
 
 bool AvoidedPlaces::is_kept(const CostGrid& grid) const {
@@ -63,20 +68,24 @@ void AvoidedPlaces::follow(const CostGrid& grid, const Pose2& start) {
 
 /// What is within the robot's reach at the start stays as it is, so that it can leave; and the near
 /// half of a place that it is in.
+bool AvoidedPlaces::stays_open(const Disc& disc, const Pose2& start, const Point2& p) {
+  if (distance(p.x, p.y, start.x, start.y) < 0.5 * disc.radius_m) return true;
+  const Point2 to_start{start.x - disc.center.x, start.y - disc.center.y};
+  const bool is_inside = std::hypot(to_start.x, to_start.y) < disc.radius_m;
+  const double near = (p.x - disc.center.x) * to_start.x + (p.y - disc.center.y) * to_start.y;
+  return is_inside && near > 0.0;
+}
+
 void AvoidedPlaces::block(const Disc& disc, const Pose2& start) {
   const GridGeometry& geometry = copy_.geometry;
   const double r = disc.radius_m;
-  const Point2 to_start{start.x - disc.center.x, start.y - disc.center.y};
-  const bool is_inside = std::hypot(to_start.x, to_start.y) < r;
   const Cell low = geometry.cell(disc.center.x - r, disc.center.y - r);
   const Cell high = geometry.cell(disc.center.x + r, disc.center.y + r);
   for (int y = std::max(low.y, 0); y <= std::min(high.y, geometry.height - 1); ++y) {
     for (int x = std::max(low.x, 0); x <= std::min(high.x, geometry.width - 1); ++x) {
       const Point2 p = geometry.center({x, y});
       if (distance(p.x, p.y, disc.center.x, disc.center.y) > r) continue;
-      if (distance(p.x, p.y, start.x, start.y) < 0.5 * r) continue;
-      const double near = (p.x - disc.center.x) * to_start.x + (p.y - disc.center.y) * to_start.y;
-      if (is_inside && near > 0.0) continue;
+      if (stays_open(disc, start, p)) continue;
       const std::size_t i = geometry.index({x, y});
       if (copy_.cost[i] >= kInscribedCost) continue;
       copy_.cost[i] = kInscribedCost;

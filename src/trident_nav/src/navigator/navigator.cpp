@@ -67,6 +67,15 @@ double slower(double a, double b) {
   return std::fabs(a) < std::fabs(b) ? a : b;
 }
 
+bool has_jumped(const Pose2& from, const Pose2& to) {
+  return distance(from.x, from.y, to.x, to.y) > kJump_m;
+}
+
+bool is_same_place(const Pose2& from, const Pose2& to) {
+  return distance(from.x, from.y, to.x, to.y) < kTrailSpacing_m &&
+         std::fabs(wrap_angle(to.yaw - from.yaw)) < kTrailTurn;
+}
+
 }  // namespace
 
 Navigator::Navigator(NavigatorParts parts, NavigatorWorld& world, Controller& controller)
@@ -126,20 +135,20 @@ Twist2 Navigator::braking(const NavigatorInput& input) const {
                 1.0 / parts_.params.controller_frequency);
 }
 
+/// Adds a pose to the trail. False: the robot has not moved on since the last one.
+bool Navigator::extend_trail(const Pose2& pose) {
+  if (!trail_.empty() && has_jumped(trail_.back(), pose)) trail_.clear();
+  if (!trail_.empty() && is_same_place(trail_.back(), pose)) return false;
+  if (trail_.size() >= kTrailPoses) trail_.erase(trail_.begin(), trail_.begin() + kTrailPoses / 2);
+  trail_.push_back(pose);
+  return true;
+}
+
 /// Keeps the trail, and notes whether the robot gets anywhere: only that makes the recoveries begin
 /// again.
 void Navigator::note_motion(const NavigatorInput& input) {
   const Pose2& pose = input.state.pose;
-  if (!trail_.empty()) {
-    const Pose2& last = trail_.back();
-    const double moved_m = distance(last.x, last.y, pose.x, pose.y);
-    if (moved_m > kJump_m) trail_.clear();
-    const bool is_same =
-        moved_m < kTrailSpacing_m && std::fabs(wrap_angle(pose.yaw - last.yaw)) < kTrailTurn;
-    if (is_same && !trail_.empty()) return;
-  }
-  if (trail_.size() >= kTrailPoses) trail_.erase(trail_.begin(), trail_.begin() + kTrailPoses / 2);
-  trail_.push_back(pose);
+  if (!extend_trail(pose)) return;
   const double away_m = distance(since_.motion_from.x, since_.motion_from.y, pose.x, pose.y);
   if (away_m < parts_.params.oscillation_distance) return;
   since_.begin_motion(pose, input.now_s);
@@ -228,20 +237,35 @@ void Navigator::take_plan(const NavigatorInput& input, NavigatorOutput* output) 
   }
   since_.plan_s = input.now_s;
   since_.failed_plans = 0;
+  offer_path(input, std::move(outcome->path), output);
+  if (phase_ == Phase::kPlanning) phase_ = Phase::kControlling;
+}
+
+/// A new path, which replaces one that is blocked or that the robot is stuck on in any case.
+void Navigator::offer_path(const NavigatorInput& input, Path path, NavigatorOutput* output) {
   const double left_m =
       std::max(parts_.footprint.circumscribed_radius, 2.0 * input.local.geometry.resolution);
   const double old_m = keeper_.left_m(input.robot_global);
   const bool is_rerouted = std::exchange(replaced_.is_rerouted, false);
   if (std::exchange(replaced_.is_blocked, false) || is_rerouted) keeper_.clear();
   output->has_new_path =
-      keeper_.offer(std::move(outcome->path), input.now_s, input.robot_global, left_m, world_);
+      keeper_.offer(std::move(path), input.now_s, input.robot_global, left_m, world_);
   // A path around something may be longer than what it replaces.
   const double new_m = keeper_.left_m(input.robot_global);
   if (output->has_new_path && new_m > old_m + parts_.footprint.circumscribed_radius) {
     begin_advance(new_m, input.now_s);
   }
-  if (phase_ != Phase::kPlanning) return;
-  phase_ = Phase::kControlling;
+}
+
+/// Which limit on plans that fail is used up; empty: none yet.
+std::string Navigator::used_up_text(double failing_s) const {
+  const NavigatorParams& params = parts_.params;
+  if (params.max_planning_retries >= 0 && since_.failed_plans > params.max_planning_retries) {
+    return " max_planning_retries of " + std::to_string(params.max_planning_retries) +
+           " is used up.";
+  }
+  if (!(failing_s >= params.planner_patience)) return "";
+  return " planner_patience of " + number_text(params.planner_patience) + " s is over.";
 }
 
 /// While an old path is followed, a failed plan changes nothing, unless the robot gets nowhere on
@@ -252,16 +276,10 @@ void Navigator::refuse_plan(const NavigatorInput& input, const PlanOutcome& outc
   const bool is_following = phase_ != Phase::kPlanning;
   if (is_following && !replaced_.is_rerouted) return;
   cause_ = outcome.reason;
-  const NavigatorParams& params = parts_.params;
   const double since_s = is_following ? since_.failing_s : since_.plan_s;
-  const bool is_over = input.now_s - since_s >= params.planner_patience;
-  const bool is_tried =
-      params.max_planning_retries >= 0 && since_.failed_plans > params.max_planning_retries;
-  if (!is_over && !is_tried) return;
-  cause_ += is_tried
-                ? " max_planning_retries of " + std::to_string(params.max_planning_retries) +
-                      " is used up."
-                : " planner_patience of " + number_text(params.planner_patience) + " s is over.";
+  const std::string used_up = used_up_text(input.now_s - since_s);
+  if (used_up.empty()) return;
+  cause_ += used_up;
   begin_recovery(Trigger::kPlanning, input, output);
 }
 
@@ -282,12 +300,8 @@ double Navigator::stuck_time_s() const {
   return std::max({kMinimum_s, leaving_s, turning_s});
 }
 
-/// A robot that gets nowhere although its path leads on looks for another one long before a
-/// recovery begins. One that shuttles before a place that it cannot pass gets nowhere, either: but
-/// for longer, as nothing but what is left of the path says so.
+/// When the robot last left its own circle, and when the path that is left last became shorter.
 void Navigator::note_progress(const NavigatorInput& input) {
-  if (!keeper_.has_path()) return;
-  constexpr double kShuttling = 1.5;
   const double radius_m = parts_.footprint.circumscribed_radius;
   const Pose2 &from = since_.progress_from, &pose = input.state.pose;
   const Pose2& end = keeper_.path().back();
@@ -302,6 +316,15 @@ void Navigator::note_progress(const NavigatorInput& input) {
   if (is_near_end || !since_.least_left_m || left_m < *since_.least_left_m - radius_m) {
     begin_advance(left_m, input.now_s);
   }
+}
+
+/// A robot that gets nowhere although its path leads on looks for another one long before a
+/// recovery begins. One that shuttles before a place that it cannot pass gets nowhere, either: but
+/// for longer, as nothing but what is left of the path says so.
+void Navigator::reroute_if_stuck(const NavigatorInput& input) {
+  if (!keeper_.has_path()) return;
+  note_progress(input);
+  constexpr double kShuttling = 1.5;
   const bool is_stuck = input.now_s - since_.progress_s >= stuck_time_s();
   const bool shuttles = input.now_s - since_.advance_s >= kShuttling * stuck_time_s();
   if (!is_stuck && !shuttles) return;
@@ -337,7 +360,7 @@ void Navigator::control(const NavigatorInput& input, NavigatorOutput* output) {
   const NavigatorParams& params = parts_.params;
   keeper_.advance(input.robot_global);
   note_path_progress(input);
-  note_progress(input);
+  reroute_if_stuck(input);
   if (params.oscillation_timeout > 0.0 &&
       input.now_s - since_.motion_s > params.oscillation_timeout) {
     cause_ = "Within oscillation_timeout of " + number_text(params.oscillation_timeout) +

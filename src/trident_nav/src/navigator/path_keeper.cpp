@@ -85,10 +85,15 @@ void PathKeeper::advance_to(std::size_t last, const Pose2& robot) {
   nearest_ = best;
 }
 
+/// Of the part up to a cusp, or to the path's end.
+std::size_t PathKeeper::last_of_part(const Cusp* cusp) const {
+  return cusp != nullptr ? cusp->index : path_.size() - 1;
+}
+
 void PathKeeper::advance(const Pose2& robot) {
   if (path_.empty()) return;
   const Cusp* cusp = next_cusp();
-  advance_to(cusp != nullptr ? cusp->index : path_.size() - 1, robot);
+  advance_to(last_of_part(cusp), robot);
   // Beyond a cusp the path lies next to itself: that part comes when the cusp is reached.
   while (cusp != nullptr && nearest_ + 1 >= cusp->index) {
     const double left_m = left_to(*cusp, robot);
@@ -97,7 +102,7 @@ void PathKeeper::advance(const Pose2& robot) {
     part_begin_ = nearest_ = cusp->index;
     left_to_cusp_m_ = std::numeric_limits<double>::infinity();
     cusp = next_cusp();
-    advance_to(cusp != nullptr ? cusp->index : path_.size() - 1, robot);
+    advance_to(last_of_part(cusp), robot);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "trident_nav/core/cost_grid.h"
@@ -43,6 +44,8 @@ class AvoidedPlaces {
     std::uint64_t revision = 0;         ///< Of the copy.
   };
 
+  static std::optional<Disc> tightest(const CostGrid& grid, const Path& ahead, double radius_m);
+  static bool stays_open(const Disc& disc, const Pose2& start, const Point2& p);
   bool is_kept(const CostGrid& grid) const;
   void follow(const CostGrid& grid, const Pose2& start);
   void block(const Disc& disc, const Pose2& start);

@@ -86,14 +86,18 @@ class Navigator {
   enum class Trigger { kPlanning, kControlling, kOscillation };
 
   void forget_progress(double now_s);
+  bool extend_trail(const Pose2& pose);
   void note_motion(const NavigatorInput& input);
   void note_path_progress(const NavigatorInput& input);
   void note_progress(const NavigatorInput& input);
+  void reroute_if_stuck(const NavigatorInput& input);
   void begin_advance(double left_m, double now_s);
   double stuck_time_s() const;
   bool waits_for_sources(const NavigatorInput& input, NavigatorOutput* output);
   void plan(const NavigatorInput& input, NavigatorOutput* output);
   void take_plan(const NavigatorInput& input, NavigatorOutput* output);
+  void offer_path(const NavigatorInput& input, Path path, NavigatorOutput* output);
+  std::string used_up_text(double failing_s) const;
   void refuse_plan(const NavigatorInput& input, const PlanOutcome& outcome,
                    NavigatorOutput* output);
   void control(const NavigatorInput& input, NavigatorOutput* output);

@@ -46,6 +46,7 @@ class PathKeeper {
   bool keeps_old(const Path& path, double now_s, const Pose2& robot, double left_m,
                  NavigatorWorld& world) const;
   const Cusp* next_cusp() const;
+  std::size_t last_of_part(const Cusp* cusp) const;
   double left_to(const Cusp& cusp, const Pose2& robot) const;
   void advance_to(std::size_t last, const Pose2& robot);
 
