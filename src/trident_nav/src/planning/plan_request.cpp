@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include "planning/grids/grid_directions.h"
@@ -168,7 +169,8 @@ std::vector<Cell> cells_near(const CostGrid& grid, const StepCosts& costs, const
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Cell> cells;
   cells.reserve(found.size());
-  for (const auto& entry : found) cells.push_back(entry.second);
+  std::transform(found.begin(), found.end(), std::back_inserter(cells),
+                 [](const auto& entry) { return entry.second; });
   return cells;
 }
 

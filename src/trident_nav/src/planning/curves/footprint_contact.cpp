@@ -128,8 +128,7 @@ FootprintContact::FootprintContact(const CostGrid& grid, const Footprint& footpr
     const std::uint8_t* row = grid.cost + grid.geometry.index({0, y});
     std::uint64_t* bits = &blocked_[static_cast<std::size_t>(y) * words_];
     for (int x = 0; x < grid.geometry.width; ++x) {
-      const bool hit = row[x] == kLethalCost || (row[x] == kUnknownCost && unknown_blocks_);
-      bits[x >> 6] |= std::uint64_t{hit} << (static_cast<unsigned>(x) & 63U);
+      bits[x >> 6] |= std::uint64_t{blocks(row[x])} << (static_cast<unsigned>(x) & 63U);
     }
   }
 }

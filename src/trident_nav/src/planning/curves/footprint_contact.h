@@ -45,6 +45,9 @@ class FootprintContact {
 
   template <class Visit>
   bool any_span(const Pose2& pose, Visit&& visit) const;
+  bool blocks(std::uint8_t cost) const {
+    return cost == kLethalCost || (cost == kUnknownCost && unknown_blocks_);
+  }
   bool row_blocked(int y, Span span) const;
   const Footprint& footprint_at(const Pose2& pose) const;
   bool convex_in_contact(const Pose2& pose) const;

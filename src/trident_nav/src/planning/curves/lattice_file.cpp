@@ -59,13 +59,16 @@ class LatticeField {
   std::string place_;
 };
 
-void read_metadata(const LatticeField& data, LatticeSet& set) {
+std::string read_motion_model(const LatticeField& data) {
   const std::string models = "diff, ackermann or omni";
-  const Json& model = data.get("motion_model", models);
-  set.motion_model = model.is_string() ? model.get<std::string>() : "";
-  if (set.motion_model != "diff" && set.motion_model != "ackermann" && set.motion_model != "omni") {
-    data.fail("motion_model", models);
-  }
+  const Json& given = data.get("motion_model", models);
+  const std::string model = given.is_string() ? given.get<std::string>() : "";
+  if (model != "diff" && model != "ackermann" && model != "omni") data.fail("motion_model", models);
+  return model;
+}
+
+void read_metadata(const LatticeField& data, LatticeSet& set) {
+  set.motion_model = read_motion_model(data);
   set.turning_radius_m = data.number("turning_radius", 0.0, "a number >= 0 [m]");
   set.resolution_m = data.number("grid_resolution", 1e-6, "a number > 0 [m]");
   for (const Json& angle : data.list("heading_angles")) {
@@ -75,12 +78,15 @@ void read_metadata(const LatticeField& data, LatticeSet& set) {
   if (set.heading_angles.size() > 4096) data.fail("heading_angles", "up to 4096 angles");
 }
 
+bool is_triple(const Json& value) {
+  return value.is_array() && value.size() == 3 &&
+         std::all_of(value.begin(), value.end(), [](const Json& one) { return one.is_number(); });
+}
+
 std::vector<Pose2> read_poses(const LatticeField& data) {
   std::vector<Pose2> poses;
   for (const Json& pose : data.list("poses")) {
-    const bool is_triple = pose.is_array() && pose.size() == 3 && pose[0].is_number() &&
-                           pose[1].is_number() && pose[2].is_number();
-    if (!is_triple) data.fail("poses", "a list of [x [m], y [m], yaw [rad]]");
+    if (!is_triple(pose)) data.fail("poses", "a list of [x [m], y [m], yaw [rad]]");
     poses.push_back({pose[0].get<double>(), pose[1].get<double>(), pose[2].get<double>()});
   }
   return poses;

@@ -249,10 +249,11 @@ void add_backwards(const MotionSet& forwards, const LatticeCosts& costs,
 /// Throws Error for options that no lattice can be made with.
 void validate(const LatticeOptions& options) {
   static const std::set<std::string> kModels{"diff", "ackermann", "omni"};
+  static const std::set<int> kHeadings{8, 16, 32};
   if (kModels.count(options.motion_model) == 0) {
     throw Error("motion_model: " + options.motion_model + ", legal: diff, ackermann, omni");
   }
-  if (options.headings != 8 && options.headings != 16 && options.headings != 32) {
+  if (kHeadings.count(options.headings) == 0) {
     throw Error("headings: " + std::to_string(options.headings) + ", legal: 8, 16, 32");
   }
   if (!(options.resolution_m > 0.0)) throw Error("resolution: legal: a number > 0 [m]");

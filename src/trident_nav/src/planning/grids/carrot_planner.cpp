@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "planning/curves/footprint_contact.h"
 #include "planning/plan_request.h"
@@ -47,6 +48,16 @@ std::optional<Pose2> obstacle(const Line& line, const FootprintContact& contact,
   return std::nullopt;
 }
 
+/// What is to be known of a line that is driven to a carrot; empty: it is free up to the goal.
+std::string reservation(const Line& line, const FootprintContact& contact, const Pose2& end) {
+  if (end.x != line.goal.x || end.y != line.goal.y) {
+    return "The goal cannot be reached; the path ends at " + place_text(end.x, end.y) + ".";
+  }
+  const auto hit = obstacle(line, contact, end);
+  if (!hit) return "";
+  return "The straight line to the goal is blocked at " + place_text(hit->x, hit->y) + ".";
+}
+
 }  // namespace
 
 PlanOutcome CarrotPlanner::plan(const CostGrid& grid, const Footprint& footprint,
@@ -66,13 +77,7 @@ PlanOutcome CarrotPlanner::plan(const CostGrid& grid, const Footprint& footprint
   PlanOutcome outcome;
   outcome.path = {start, *end};
   outcome.cost = distance(start.x, start.y, end->x, end->y);
-  if (end->x != goal.x || end->y != goal.y) {
-    outcome.reason =
-        "The goal cannot be reached; the path ends at " + place_text(end->x, end->y) + ".";
-  } else if (const auto hit = obstacle(line, contact, *end)) {
-    outcome.reason =
-        "The straight line to the goal is blocked at " + place_text(hit->x, hit->y) + ".";
-  }
+  outcome.reason = reservation(line, contact, *end);
   return outcome;
 }
 

@@ -45,6 +45,18 @@ std::vector<Point2> centers(const GridGeometry& geometry, const std::vector<Cell
   return points;
 }
 
+/// Ends a route's points at the goal, if its cells lead there.
+void add_end(const GridGeometry& geometry, const Pose2& goal, std::vector<Point2>& points,
+             GridRouteResult& result) {
+  if (result.cells.back() == geometry.cell(goal.x, goal.y)) {
+    points.push_back({goal.x, goal.y});
+    return;
+  }
+  const Point2& end = points.back();
+  comment(result, "The goal cannot be reached; the path ends at " + place_text(end.x, end.y) +
+                      ", " + meters_text(distance(end.x, end.y, goal.x, goal.y)) + " from it.");
+}
+
 }  // namespace
 
 GridRoute::GridRoute(const GridRouteOptions& options)
@@ -80,6 +92,18 @@ GridRouteResult GridRoute::find(const CostGrid& grid, const Footprint& footprint
   return result;
 }
 
+void GridRoute::explain_goal(const CostGrid& grid, const Pose2& goal, bool is_occupied,
+                             GridRouteResult& result) const {
+  if (is_occupied) {
+    const std::uint8_t cost = grid.at(grid.geometry.cell(goal.x, goal.y));
+    fail(result, Failure::kGoalOccupied, occupied_text("goal", goal, cost, options_.tolerance_m));
+  } else {
+    fail(result, Failure::kNoPath,
+         "No path leads to the goal " + place_text(goal.x, goal.y) +
+             ": obstacles cut it off from the start.");
+  }
+}
+
 // The goal's cell, or the nearest in the tolerance from which the start can be reached.
 std::optional<Cell> GridRoute::reach_goal(const CostGrid& grid, const Pose2& goal, Cell start,
                                           const CancelFlag& cancel, GridRouteResult& result) {
@@ -99,30 +123,28 @@ std::optional<Cell> GridRoute::reach_goal(const CostGrid& grid, const Pose2& goa
                                [&](Cell c) { return c == root || potential_.reached(c); }),
                 cells.end());
   }
-  if (occupied) {
-    fail(result, Failure::kGoalOccupied,
-         occupied_text("goal", goal, grid.at(own), options_.tolerance_m));
-  } else {
-    fail(result, Failure::kNoPath,
-         "No path leads to the goal " + place_text(goal.x, goal.y) +
-             ": obstacles cut it off from the start.");
-  }
+  explain_goal(grid, goal, occupied, result);
   return std::nullopt;
+}
+
+// No path where jumps are not wanted, or steps do not all cost the same.
+SearchResult GridRoute::search_by_jumps(const CostGrid& grid, Cell goal, Cell start,
+                                        const CancelFlag& cancel, GridRouteResult& result) {
+  if (!options_.jumps || !jumps_.read(grid)) return SearchResult::kNoPath;
+  const SearchResult outcome = jumps_.search(start, goal, cancel);
+  if (outcome == SearchResult::kFound) {
+    result.cells = jumps_.path();
+    result.cost = jumps_.cost();
+  }
+  return outcome;
 }
 
 // The cells from the start to the goal and their cost. Without a path the search always starts at
 // the goal, and finds which other goals are cut off as well.
 SearchResult GridRoute::search(const CostGrid& grid, Cell goal, Cell start,
                                const CancelFlag& cancel, GridRouteResult& result) {
-  if (options_.jumps && jumps_.read(grid)) {
-    const SearchResult outcome = jumps_.search(start, goal, cancel);
-    if (outcome == SearchResult::kFound) {
-      result.cells = jumps_.path();
-      result.cost = jumps_.cost();
-    }
-    if (outcome != SearchResult::kNoPath) return outcome;
-  }
-  SearchResult outcome = SearchResult::kFound;
+  SearchResult outcome = search_by_jumps(grid, goal, start, cancel, result);
+  if (outcome != SearchResult::kNoPath) return outcome;
   if (options_.detours) {
     outcome = potential_.search(grid, goal, start, cancel, Potential::Costs::kKnown);
     if (outcome != SearchResult::kFound) return outcome;
@@ -142,11 +164,8 @@ SearchResult GridRoute::search(const CostGrid& grid, Cell goal, Cell start,
 bool GridRoute::lead_around(const CostGrid& grid, const CancelFlag& cancel,
                             GridRouteResult& result) {
   const std::vector<Cell> path = potential_.trace();
-  bool is_right = true;
-  for (std::size_t i = 0; i + 1 < path.size() && is_right; ++i) {
-    is_right = !potential_.is_dearer(grid, path[i], path[i + 1]);
-  }
-  if (is_right) return false;
+  const auto is_dearer = [&](Cell a, Cell b) { return potential_.is_dearer(grid, a, b); };
+  if (std::adjacent_find(path.begin(), path.end(), is_dearer) == path.end()) return false;
   const Taut detour = shortest_detour(grid, path, cancel);
   StartSearch::Limits limits;
   limits.expansions = potential_.total_expanded() / 4 + 4096;
@@ -189,15 +208,7 @@ void GridRoute::lay_out(const CostGrid& grid, const Pose2& start, const Pose2& g
   std::vector<Point2> points;
   if (!escapes) points.push_back({start.x, start.y});
   for (const Cell c : result.cells) points.push_back(g.center(c));
-  const Cell last = result.cells.back();
-  if (last == g.cell(goal.x, goal.y)) {
-    points.push_back({goal.x, goal.y});
-  } else {
-    comment(result, "The goal cannot be reached; the path ends at " +
-                        place_text(points.back().x, points.back().y) + ", " +
-                        meters_text(distance(points.back().x, points.back().y, goal.x, goal.y)) +
-                        " from it.");
-  }
+  add_end(g, goal, points, result);
   if (options_.taut) points = pull_taut(grid, options_.costs, points);
   if (escapes) {
     result.points.push_back({start.x, start.y});

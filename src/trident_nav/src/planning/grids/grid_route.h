@@ -54,8 +54,12 @@ class GridRoute {
   const Potential& potential() const { return potential_; }
 
  private:
+  void explain_goal(const CostGrid& grid, const Pose2& goal, bool is_occupied,
+                    GridRouteResult& result) const;
   std::optional<Cell> reach_goal(const CostGrid& grid, const Pose2& goal, Cell start,
                                  const CancelFlag& cancel, GridRouteResult& result);
+  SearchResult search_by_jumps(const CostGrid& grid, Cell goal, Cell start,
+                               const CancelFlag& cancel, GridRouteResult& result);
   SearchResult search(const CostGrid& grid, Cell goal, Cell start, const CancelFlag& cancel,
                       GridRouteResult& result);
   /// A path that has been pulled taut.

@@ -31,29 +31,41 @@ bool JumpPoints::read(const CostGrid& grid) {
   return map_.is_uniform;
 }
 
-// Whether there is one step cost; most costmaps show in their first rows that there is not, and
-// then cost nothing more.
-bool JumpPoints::read_costs(const CostGrid& grid) {
+// The one step cost, if there is one; most costmaps show in their first rows that there is not.
+std::optional<float> JumpPoints::uniform_step(const CostGrid& grid) const {
   float step = StepCosts::kBlocked;
   for (std::size_t i = 0; i < map_.geometry.size(); ++i) {
     const float cost = costs_.step[grid.cost[i]];
     if (cost == StepCosts::kBlocked) continue;
     if (step == StepCosts::kBlocked) step = cost;
-    if (cost != step) return false;
+    if (cost != step) return std::nullopt;
   }
-  map_.step = step;
+  return step;
+}
+
+bool JumpPoints::is_on_outline(int x, int y) const {
+  const int right = map_.geometry.width - 1, top = map_.geometry.height - 1;
+  return outline_ && (x == 0 || y == 0 || x == right || y == top);
+}
+
+void JumpPoints::block_cells(const CostGrid& grid) {
   map_.rows.reset(map_.geometry.height, map_.geometry.width);
   map_.columns.reset(map_.geometry.width, map_.geometry.height);
-  const int edge = outline_ ? 1 : 0;
   for (int y = 0; y < map_.geometry.height; ++y) {
-    const bool is_edge_row = y < edge || y >= map_.geometry.height - edge;
     for (int x = 0; x < map_.geometry.width; ++x) {
-      const bool is_edge = is_edge_row || x < edge || x >= map_.geometry.width - edge;
-      if (!is_edge && !costs_.blocked(grid.at(Cell{x, y}))) continue;
+      if (!is_on_outline(x, y) && !costs_.blocked(grid.at(Cell{x, y}))) continue;
       map_.rows.block(y, x);
       map_.columns.block(x, y);
     }
   }
+}
+
+// Whether there is one step cost; where there is not, nothing more is read.
+bool JumpPoints::read_costs(const CostGrid& grid) {
+  const std::optional<float> step = uniform_step(grid);
+  if (!step) return false;
+  map_.step = *step;
+  block_cells(grid);
   tiles_x_ = map_.geometry.width / kTile + 1;
   forget_nodes();
   return true;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "planning/grids/bucket_queue.h"
@@ -66,6 +67,9 @@ class JumpPoints {
 
   static constexpr std::uint32_t kMaxSearches = (std::uint32_t{1} << 27U) - 1;
 
+  std::optional<float> uniform_step(const CostGrid& grid) const;
+  bool is_on_outline(int x, int y) const;
+  void block_cells(const CostGrid& grid);
   bool read_costs(const CostGrid& grid);
   bool is_free(int x, int y) const { return !map_.rows.blocked(y, x); }
   void forget_nodes();

@@ -47,6 +47,10 @@ double cost_of(const CostGrid& grid, const StepCosts& costs, const std::vector<P
   return sum;
 }
 
+void face_as_driven(Path& path) {
+  if (path.size() > 1) path.back().yaw = path[path.size() - 2].yaw;
+}
+
 }  // namespace
 
 void ThetaStarParams::validate() const {
@@ -82,9 +86,7 @@ PlanOutcome ThetaStarPlanner::plan(const CostGrid& grid, const Footprint& footpr
     if (other.cost < route.cost) route = other;
   }
   PlanOutcome outcome = to_outcome(route, grid, goal);
-  if (params_.use_final_approach_orientation && outcome.path.size() > 1) {
-    outcome.path.back().yaw = outcome.path[outcome.path.size() - 2].yaw;
-  }
+  if (params_.use_final_approach_orientation) face_as_driven(outcome.path);
   return outcome;
 }
 

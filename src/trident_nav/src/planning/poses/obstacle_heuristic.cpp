@@ -38,12 +38,7 @@ ObstacleHeuristic::ObstacleHeuristic(const Options& options)
 }
 
 bool ObstacleHeuristic::is_kept(const CostGrid& grid, Cell goal) const {
-  const GridGeometry& a = grid_.geometry;
-  const GridGeometry& b = grid.geometry;
-  if (!(goal_ == goal) || a.width != b.width || a.height != b.height) return false;
-  if (a.origin_x != b.origin_x || a.origin_y != b.origin_y || a.resolution != b.resolution) {
-    return false;
-  }
+  if (!(goal_ == goal) || !(grid_.geometry == grid.geometry)) return false;
   return options_.keeps_changed || std::memcmp(seen_.data(), grid.cost, seen_.size()) == 0;
 }
 

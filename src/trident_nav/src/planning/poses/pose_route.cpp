@@ -48,6 +48,12 @@ std::string off_text(const Pose2& end, const Pose2& goal) {
          number_text(std::abs(wrap_angle(end.yaw - goal.yaw)), "rad") + " from it.";
 }
 
+void add_if_free(const FootprintContact& contact, Pose2 pose, double turn,
+                 std::vector<Pose2>& poses) {
+  pose.yaw = wrap_angle(pose.yaw + turn);
+  if (!contact.in_contact(pose)) poses.push_back(pose);
+}
+
 /// Backwards from the goal: to a place, at any heading.
 PoseSearchOptions approach_options(PoseSearchOptions options) {
   options.curve_window = 0.0;
@@ -143,30 +149,35 @@ bool PoseRoute::leave_start(Request& request, FootprintContact& contact, double 
   return true;
 }
 
+// What one goal cannot be reached from cannot be reached from its surroundings.
+bool PoseRoute::is_cut_off(Cell cell, const std::optional<Cell>& cut_off) {
+  return cut_off && (cell == *cut_off || std::isfinite(heuristic_.at(cell.x, cell.y)));
+}
+
+bool PoseRoute::can_enter(const CurveChecker& checker, const Pose2& goal) {
+  return probe_.can_enter(checker, goal) || out_of_slot(checker, goal);
+}
+
 // The first of the poses within the tolerance that the start is connected with and that can be
 // entered.
 bool PoseRoute::find_goal(Request& request, const FootprintContact& contact,
                           const CurveChecker& checker) {
   const std::vector<Pose2> goals = free_goals(request, contact);
   const GridGeometry& g = request.grid.geometry;
-  bool can_enter = false;
+  bool is_any_open = false;
   std::optional<Cell> cut_off;
   for (const Pose2& goal : goals) {
     const Cell cell = g.cell(goal.x, goal.y);
-    // What one goal cannot be reached from cannot be reached from its surroundings.
-    if (cut_off && (cell == *cut_off || std::isfinite(heuristic_.at(cell.x, cell.y)))) continue;
+    if (is_cut_off(cell, cut_off)) continue;
     request.end = goal;
     request.query.goal = to_cells(g, goal);
-    if (!probe_.can_enter(checker, request.query.goal) &&
-        !out_of_slot(checker, request.query.goal)) {
-      continue;
-    }
-    can_enter = true;
+    if (!can_enter(checker, request.query.goal)) continue;
+    is_any_open = true;
     if (aim(request, goal)) return true;
     if (request.outcome.failure == Failure::kCanceled) return false;
     cut_off = cell;
   }
-  explain_goal(request, goals.empty(), can_enter);
+  explain_goal(request, goals.empty(), is_any_open);
   return false;
 }
 
@@ -217,17 +228,13 @@ std::vector<Pose2> PoseRoute::goal_places(const Request& request) const {
 std::vector<Pose2> PoseRoute::free_goals(const Request& request,
                                          const FootprintContact& contact) const {
   std::vector<Pose2> goals, places = goal_places(request);
-  const auto add = [&](Pose2 pose, double turn) {
-    pose.yaw = wrap_angle(pose.yaw + turn);
-    if (!contact.in_contact(pose)) goals.push_back(pose);
-  };
-  for (const Pose2& place : places) add(place, 0.0);
+  for (const Pose2& place : places) add_if_free(contact, place, 0.0, goals);
   if (options_.tolerance_m <= 0.0) return goals;
-  if (places.size() > kTurnedPlaces) places.resize(kTurnedPlaces);
+  places.resize(std::min(places.size(), kTurnedPlaces));
   for (int k = 1; k <= kTurns; ++k) {
     for (const Pose2& place : places) {
-      add(place, kPi * k / kTurns);
-      if (k < kTurns) add(place, -kPi * k / kTurns);
+      add_if_free(contact, place, kPi * k / kTurns, goals);
+      if (k < kTurns) add_if_free(contact, place, -kPi * k / kTurns, goals);
     }
   }
   return goals;

@@ -54,6 +54,8 @@ class PoseRoute {
   Footprint checked_footprint(const Footprint& footprint, double resolution) const;
   static void allow_start(Request& request, FootprintContact& contact);
   bool leave_start(Request& request, FootprintContact& contact, double reach_m) const;
+  bool is_cut_off(Cell cell, const std::optional<Cell>& cut_off);
+  bool can_enter(const CurveChecker& checker, const Pose2& goal);
   bool find_goal(Request& request, const FootprintContact& contact, const CurveChecker& checker);
   std::vector<Pose2> goal_places(const Request& request) const;
   std::vector<Pose2> free_goals(const Request& request, const FootprintContact& contact) const;
@@ -62,6 +64,11 @@ class PoseRoute {
   void accept_near(Request& request) const;
   bool aim(Request& request, const Pose2& goal);
   void search(Request& request, const CurveChecker& checker);
+  PoseSearch::Result first_search(Request& request);
+  bool search_by_approach(Request& request, TravelPath& path);
+  PoseSearch::Result last_search(Request& request);
+  PoseSearch::Result search_further(Request& request, PoseSearch::Result first, TravelPath& path);
+  void take_found(Request& request, TravelPath& path) const;
   PoseSearch::Result run(Request& request, TravelPath& path);
   std::optional<TravelPath> find_approach(Request& request);
   bool enter_slot(Request& request, TravelPath& path);

@@ -50,9 +50,7 @@ TravelPath retraced(TravelPath path) {
 
 }  // namespace
 
-// A short search; when that does not come to the goal, one to where an approach begins that has
-// been found from the goal; then one without limits.
-PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
+PoseSearch::Result PoseRoute::first_search(Request& request) {
   PoseSearch::Query& query = request.query;
   query.deadline = std::chrono::steady_clock::now() +
                    std::chrono::microseconds(static_cast<std::int64_t>(options_.max_time_s * 1e6));
@@ -60,29 +58,53 @@ PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
   if (options_.max_iterations >= 0) {
     query.max_iterations = std::min(query.max_iterations, options_.max_iterations);
   }
-  PoseSearch::Result result = search_.search(request.grid, query, request.cancel);
+  const PoseSearch::Result result = search_.search(request.grid, query, request.cancel);
   iterations_ = search_.iterations();
-  if (result != PoseSearch::Result::kFound && result != PoseSearch::Result::kCanceled &&
-      (enter_slot(request, path) || leave_slot(request, path))) {
-    return PoseSearch::Result::kFound;
-  }
-  if (result == PoseSearch::Result::kTooManyIterations && query.stop_within <= 0.0) {
-    const std::optional<TravelPath> approach = find_approach(request);
-    if (approach && join_approach(request, *approach, path)) {
-      request.outcome.cost += approach_search_.nearest_cost();
-      return PoseSearch::Result::kFound;
-    }
-  }
-  if (result == PoseSearch::Result::kTooManyIterations) {
-    query.max_iterations = options_.max_iterations;
-    if (query.stop_within > 0.0) query.max_iterations = kJoinIterations;
-    result = search_.search(request.grid, query, request.cancel);
-    iterations_ += search_.iterations();
-  }
-  if (result != PoseSearch::Result::kFound) return result;
+  return result;
+}
+
+// To where an approach begins that has been found from the goal.
+bool PoseRoute::search_by_approach(Request& request, TravelPath& path) {
+  if (!(request.query.stop_within <= 0.0)) return false;
+  const std::optional<TravelPath> approach = find_approach(request);
+  if (!approach || !join_approach(request, *approach, path)) return false;
+  request.outcome.cost += approach_search_.nearest_cost();
+  return true;
+}
+
+PoseSearch::Result PoseRoute::last_search(Request& request) {
+  PoseSearch::Query& query = request.query;
+  query.max_iterations = options_.max_iterations;
+  if (query.stop_within > 0.0) query.max_iterations = kJoinIterations;
+  const PoseSearch::Result result = search_.search(request.grid, query, request.cancel);
+  iterations_ += search_.iterations();
+  return result;
+}
+
+// After a short search that has not come to the goal.
+PoseSearch::Result PoseRoute::search_further(Request& request, PoseSearch::Result first,
+                                             TravelPath& path) {
+  if (enter_slot(request, path) || leave_slot(request, path)) return PoseSearch::Result::kFound;
+  if (first != PoseSearch::Result::kTooManyIterations) return first;
+  if (search_by_approach(request, path)) return PoseSearch::Result::kFound;
+  const PoseSearch::Result last = last_search(request);
+  if (last == PoseSearch::Result::kFound) take_found(request, path);
+  return last;
+}
+
+void PoseRoute::take_found(Request& request, TravelPath& path) const {
   path = search_.path();
   request.outcome.cost = search_.cost();
-  return result;
+}
+
+// A short search; when that does not come to the goal, one to where an approach begins that has
+// been found from the goal; then one without limits.
+PoseSearch::Result PoseRoute::run(Request& request, TravelPath& path) {
+  const PoseSearch::Result first = first_search(request);
+  if (first == PoseSearch::Result::kCanceled) return first;
+  if (first != PoseSearch::Result::kFound) return search_further(request, first, path);
+  take_found(request, path);
+  return first;
 }
 
 // Into a slot as a car leaves it, in the other direction.

@@ -88,24 +88,28 @@ class Shuffle {
   double radius_, step_;  ///< In cells.
 };
 
+std::optional<TravelPath> shortest_exit(const Shuffle& shuffle, int margin) {
+  std::optional<TravelPath> shortest;
+  for (const int side : {-1, 1}) {
+    for (const int gear : {-1, 1}) {
+      auto path = shuffle.leave(side, gear, margin);
+      if (!path) continue;
+      if (!shortest || path->points.size() < shortest->points.size()) shortest = std::move(path);
+    }
+  }
+  return shortest;
+}
+
 }  // namespace
 
 std::optional<TravelPath> path_out_of_slot(const CurveChecker& checker, const Pose2& from,
                                            double radius) {
   const Shuffle shuffle(checker, from, radius);
   if (!checker.is_free(from) || !shuffle.is_tight()) return std::nullopt;
-  std::optional<TravelPath> shortest;
   for (const int margin : kMargins) {
-    for (const int side : {-1, 1}) {
-      for (const int gear : {-1, 1}) {
-        auto path = shuffle.leave(side, gear, margin);
-        if (!path) continue;
-        if (!shortest || path->points.size() < shortest->points.size()) shortest = std::move(path);
-      }
-    }
-    if (shortest) break;
+    if (auto path = shortest_exit(shuffle, margin)) return path;
   }
-  return shortest;
+  return std::nullopt;
 }
 
 }  // namespace trident::nav

@@ -8,13 +8,17 @@ namespace trident::nav {
 
 Potential::Potential(const StepCosts& costs, bool outline) : costs_(costs), cells_(outline) {}
 
+bool Potential::is_kept(const CostGrid& grid, Cell goal_inside) const {
+  return status_.is_ready && goal_inside == ends_.goal && grid.geometry == geometry_ &&
+         !status_.is_too_long;
+}
+
 Potential::Result Potential::search(const CostGrid& grid, Cell goal, Cell start,
                                     const CancelFlag& cancel, Costs costs) {
   source_ = &grid;
   const Cell goal_inside{goal.x + 1, goal.y + 1};
   const Cell start_inside{start.x + 1, start.y + 1};
-  const bool kept = status_.is_ready && goal_inside == ends_.goal && grid.geometry == geometry_ &&
-                    !status_.is_too_long;
+  const bool kept = is_kept(grid, goal_inside);
   expanded_.now = expanded_.dropped = 0;
   if (kept) {
     aim(start_inside);

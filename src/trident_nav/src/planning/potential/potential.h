@@ -153,6 +153,7 @@ class Potential {
 
   void begin(Cell goal, Cell start);
   void choose_scale(double coarser);
+  bool is_kept(const CostGrid& grid, Cell goal_inside) const;
   void aim(Cell start);
   Result run(const CancelFlag& cancel, Costs costs);
   Result run_on_known_costs(const CancelFlag& cancel);
