@@ -137,6 +137,7 @@ class EkfSlam {
   void correct(const std::vector<LandmarkPair>& pairs,
                const std::vector<PointObservation>& observations);
   void add(const PointObservation& observation, int id);
+  void add_new(const std::vector<PointObservation>& observations, std::vector<int>& ids);
   void count_misses(const std::vector<bool>& was_seen);
   bool should_be_seen(std::size_t landmark) const;
   void forget(std::size_t landmark);

@@ -56,6 +56,7 @@ class IncrementalPoseGraph {
  private:
   class Solver;
 
+  Group placed(int id, const Group& T_map_vertex, const std::vector<Edge>& edges) const;
   void optimize();
   void search();  ///< with bounded steps, to the optimum
 

@@ -40,6 +40,9 @@ class YawRates {
     std::int64_t stamp_ns = 0;
     double rate = 0.0;  ///< [rad/s]
   };
+  bool covers(std::int64_t from_ns, std::int64_t to_ns) const;
+  std::size_t not_before(std::int64_t stamp_ns) const;
+  bool has_gap(std::int64_t from_ns, std::int64_t to_ns) const;
   double rate_at(std::size_t after, std::int64_t stamp_ns) const;
 
   std::deque<Sample> samples_;  ///< of the last ten seconds

@@ -42,6 +42,19 @@ std::uint32_t u32(const char* from) {
   return value;
 }
 
+/// An array or text of `each` bytes an element begins at `at` of a message of `size` bytes; moves
+/// behind it. Throws Error where that is not within the message.
+void skip_array(const char* bytes, std::size_t size, std::size_t each, std::size_t& at) {
+  if (size < 4 || at > size - 4) throw Error("cut short");
+  const std::uint64_t length = u32(bytes + at);
+  at += 4;
+  if (length * each > size - at) {
+    throw Error("an array of " + std::to_string(length) + " elements in " + std::to_string(size) +
+                " bytes");
+  }
+  at += static_cast<std::size_t>(length) * each;
+}
+
 /// A number of a field; false when the field is not there or has another size.
 bool number(const std::map<std::string, std::string>& fields, const char* name,
             std::uint32_t& value) {
@@ -130,15 +143,19 @@ std::vector<BagFile::Message> BagFile::messages(const std::vector<std::string>& 
   return found;
 }
 
+/// Behind all chunks there is nothing but the index, which is not used.
+bool BagFile::is_in_index(std::uint64_t record) const {
+  return index_begin_ != 0 && index_begin_ < file_size_ &&
+         (record >= index_begin_ || last_op_ == kIndexData);
+}
+
 void BagFile::walk() {
   std::uint64_t at = kMagicSize;
   while (at < file_size_) {
     const std::uint64_t record = at;
     if (take_record(at)) continue;
     at = next_chunk_after(record + 1);
-    // Behind all chunks there is nothing but the index, which is not used.
-    const bool is_index = record >= index_begin_ || last_op_ == kIndexData;
-    if (at == file_size_ && index_begin_ != 0 && index_begin_ < file_size_ && is_index) return;
+    if (at == file_size_ && is_in_index(record)) return;
     leave_out(record, at < file_size_
                           ? "no whole record; reading continues at offset " + std::to_string(at)
                           : "no whole record, and nothing behind it");
@@ -213,17 +230,23 @@ bool BagFile::take_loose_connection(const Record& record) {
   return true;
 }
 
-bool BagFile::take_chunk(std::uint64_t record, const Fields& fields, std::uint64_t begin,
-                         std::size_t stored) {
-  Chunk chunk;
+/// How a chunk is stored whose data begin there; false where its header does not say so.
+bool BagFile::read_chunk(const Fields& fields, std::uint64_t begin, Chunk& chunk) const {
   std::uint32_t size = 0;
   chunk.compression = text(fields, "compression");
   const std::set<std::string> known = {"none", "bz2", "lz4"};
   if (known.count(chunk.compression) == 0 || !number(fields, "size", size)) return false;
   if (size > kLargestChunk || begin >= file_size_) return false;
-  chunk.record = record;
   chunk.begin = begin;
   chunk.size = size;
+  return true;
+}
+
+bool BagFile::take_chunk(std::uint64_t record, const Fields& fields, std::uint64_t begin,
+                         std::size_t stored) {
+  Chunk chunk;
+  if (!read_chunk(fields, begin, chunk)) return false;
+  chunk.record = record;
   chunk.stored = static_cast<std::size_t>(std::min<std::uint64_t>(stored, file_size_ - begin));
   if (chunk.stored < stored) {
     leave_out(begin + chunk.stored, "the file ends within a chunk, " +
@@ -369,26 +392,17 @@ void BagFile::leave_out(std::uint64_t at, const std::string& what) {
 void BagFile::check_lengths(const std::string& type, const std::uint8_t* data, std::size_t size) {
   const char* bytes = reinterpret_cast<const char*>(data);
   std::size_t at = 0;
-  // An array or text of `each` bytes an element begins at `at`; moves behind it.
-  const auto skip = [&](std::size_t each) {
-    if (size < 4 || at > size - 4) throw Error("cut short");
-    const std::uint64_t length = u32(bytes + at);
-    at += 4;
-    if (length * each > size - at) {
-      throw Error("an array of " + std::to_string(length) + " elements in " + std::to_string(size) +
-                  " bytes");
-    }
-    at += static_cast<std::size_t>(length) * each;
-  };
   if (type == "sensor_msgs/LaserScan") {
     at = 12;  // sequence and stamp
-    skip(1);
+    skip_array(bytes, size, 1, at);
     at += 28;  // seven numbers
-    skip(4);
-    skip(4);
+    skip_array(bytes, size, 4, at);
+    skip_array(bytes, size, 4, at);
   } else if (type == "tf2_msgs/TFMessage" || type == "tf/tfMessage") {
     constexpr std::size_t kSmallestTransform = 76;
-    if (size >= 4 && u32(bytes) > size / kSmallestTransform) skip(kSmallestTransform);
+    if (size >= 4 && u32(bytes) > size / kSmallestTransform) {
+      skip_array(bytes, size, kSmallestTransform, at);
+    }
   }
 }
 

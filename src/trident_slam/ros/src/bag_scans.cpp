@@ -199,17 +199,22 @@ class BagScans::Impl {
     }
   }
 
+  // Where nothing reports odometry that is wanted, it stands still.
+  void settle_odometry(bool is_wanted, bool is_reported) {
+    if (!is_wanted) {
+      intake_options_.odom_frame.clear();
+    } else if (!is_reported) {
+      fix_odometry();
+    }
+  }
+
   bool name_frames(const BagScansOptions& options, const std::set<std::string>& frames,
                    const std::string& laser, const nav_msgs::Odometry* odometry) {
     intake_options_.waits_for_all = true;
     const bool uses_tf = name_usual_frames(options, frames);
     if (!uses_tf && odometry != nullptr) name_frames_of(*odometry, options);
     if (intake_options_.base_frame.empty()) intake_options_.base_frame = "base_link";
-    if (!options.uses_odometry) {
-      intake_options_.odom_frame.clear();
-    } else if (!uses_tf && odometry == nullptr) {
-      fix_odometry();
-    }
+    settle_odometry(options.uses_odometry, uses_tf || odometry != nullptr);
     if (frames.count(laser) == 0) fix_laser(laser);
     return uses_tf;
   }

@@ -144,6 +144,14 @@ bool EkfSlam::is_new(const PointObservation& observation) const {
   return true;
 }
 
+void EkfSlam::add_new(const std::vector<PointObservation>& observations, std::vector<int>& ids) {
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    if (ids[i] != kAmbiguous || !is_usable(observations[i]) || !is_new(observations[i])) continue;
+    ids[i] = next_id_++;
+    add(observations[i], ids[i]);
+  }
+}
+
 /// Associates first and corrects afterwards with all pairs at once: pairs are jointly compatible
 /// only under one common linearization.
 std::vector<int> EkfSlam::observe(const std::vector<PointObservation>& observations) {
@@ -164,11 +172,7 @@ std::vector<int> EkfSlam::observe(const std::vector<PointObservation>& observati
   }
   // New landmarks are placed from the corrected pose.
   correct(pairs, observations);
-  for (std::size_t i = 0; i < observations.size(); ++i) {
-    if (ids[i] != kAmbiguous || !is_usable(observations[i]) || !is_new(observations[i])) continue;
-    ids[i] = next_id_++;
-    add(observations[i], ids[i]);
-  }
+  add_new(observations, ids);
   count_misses(was_seen);
   return ids;
 }

@@ -93,6 +93,17 @@ void read_landmark(Line& line, std::vector<LandmarkLogStep>& steps) {
   steps.back().observations.push_back(observation);
 }
 
+void read_line(Line& line, std::vector<LandmarkLogStep>& steps) {
+  if (line.kind().empty() || line.kind()[0] == '#') return;
+  if (line.kind() == "ODOMETRY") {
+    read_odometry(line, steps);
+  } else if (line.kind() == "LANDMARK") {
+    read_landmark(line, steps);
+  } else {
+    line.fail("'" + std::string(line.kind()) + "' begins the line, must be ODOMETRY or LANDMARK");
+  }
+}
+
 using Counts = std::map<std::pair<int, int>, int>;
 
 /// a -> the b that it is seen as most often.
@@ -126,14 +137,7 @@ std::vector<LandmarkLogStep> read_landmark_log(const std::string& file) {
   std::string_view text;
   while (reader.next(text)) {
     Line line(reader, text);
-    if (line.kind().empty() || line.kind()[0] == '#') continue;
-    if (line.kind() == "ODOMETRY") {
-      read_odometry(line, steps);
-    } else if (line.kind() == "LANDMARK") {
-      read_landmark(line, steps);
-    } else {
-      line.fail("'" + std::string(line.kind()) + "' begins the line, must be ODOMETRY or LANDMARK");
-    }
+    read_line(line, steps);
   }
   if (!reader.damage().empty()) throw Error(file + ": " + reader.damage());
   if (steps.empty()) throw Error(file + ": holds no ODOMETRY line");

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -36,23 +37,28 @@ struct Options {
   std::string out_dir;
 };
 
+void require_files(const Options& options) {
+  if (options.log_file.empty() || options.out_dir.empty()) {
+    throw Error(std::string("FILE and --out are needed\n") + kUsage);
+  }
+}
+
 Options parse(int argc, char** argv) {
   Options options;
+  const std::map<std::string, std::string*> valued = {{"--config", &options.config_file},
+                                                      {"--out", &options.out_dir}};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (word == "--config" && i + 1 < argc) {
-      options.config_file = argv[++i];
-    } else if (word == "--out" && i + 1 < argc) {
-      options.out_dir = argv[++i];
+    const auto option = valued.find(word);
+    if (option != valued.end() && i + 1 < argc) {
+      *option->second = argv[++i];
     } else if (word[0] != '-' && options.log_file.empty()) {
       options.log_file = word;
     } else {
       throw Error("'" + word + "' is not understood\n" + kUsage);
     }
   }
-  if (options.log_file.empty() || options.out_dir.empty()) {
-    throw Error(std::string("FILE and --out are needed\n") + kUsage);
-  }
+  require_files(options);
   return options;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "trident_base/angle.h"
 
@@ -92,26 +93,36 @@ PointObservation middle_of(const LaserScan& scan, const Cluster& cluster, double
   return post;
 }
 
-}  // namespace
+double nearest_range(const LaserScan& scan, const Cluster& cluster) {
+  double nearest = kFar;
+  for (std::size_t i = 0; i < cluster.count; ++i) {
+    nearest = std::min(nearest, range_of(scan, (cluster.first + i) % scan.size()));
+  }
+  return nearest;
+}
 
 /// A round post of radius r whose nearest point is at d fills an angle of 2 asin(r / (d + r));
 /// solved for r. What is wide, or has something close behind it on either side, is part of a wall.
+std::optional<PointObservation> post_of(const LaserScan& scan, const Cluster& cluster,
+                                        const PostParams& params) {
+  const double nearest = nearest_range(scan, cluster);
+  const double half = 0.5 * static_cast<double>(cluster.count) * std::abs(scan.angle_increment);
+  if (half >= 0.25 * kPi || nearest > params.max_range) return std::nullopt;
+  const double radius = nearest * std::sin(half) / (1.0 - std::sin(half));
+  const double behind = nearest + radius + params.clearance;
+  const bool stands_free =
+      adjacent_range(scan, cluster, false) > behind && adjacent_range(scan, cluster, true) > behind;
+  if (2.0 * radius > params.max_diameter || !stands_free) return std::nullopt;
+  return middle_of(scan, cluster, nearest, radius, params.range_sigma);
+}
+
+}  // namespace
+
 std::vector<PointObservation> find_posts(const LaserScan& scan, const PostParams& params) {
   std::vector<PointObservation> posts;
   for (const Cluster& cluster : clusters(scan, params.clearance)) {
     if (cluster.count < static_cast<std::size_t>(params.min_beams)) continue;
-    double nearest = kFar;
-    for (std::size_t i = 0; i < cluster.count; ++i) {
-      nearest = std::min(nearest, range_of(scan, (cluster.first + i) % scan.size()));
-    }
-    const double half = 0.5 * static_cast<double>(cluster.count) * std::abs(scan.angle_increment);
-    if (half >= 0.25 * kPi || nearest > params.max_range) continue;
-    const double radius = nearest * std::sin(half) / (1.0 - std::sin(half));
-    const double behind = nearest + radius + params.clearance;
-    const bool stands_free = adjacent_range(scan, cluster, false) > behind &&
-                             adjacent_range(scan, cluster, true) > behind;
-    if (2.0 * radius > params.max_diameter || !stands_free) continue;
-    posts.push_back(middle_of(scan, cluster, nearest, radius, params.range_sigma));
+    if (const auto post = post_of(scan, cluster, params)) posts.push_back(*post);
   }
   return posts;
 }

@@ -48,13 +48,22 @@ class GrowingGrid {
   /// A gibibyte: one place far away would take all memory.
   static constexpr double kMaxBytes = 1073741824.0;
 
+  /// Of a rectangle of cells.
+  struct Extent {
+    std::int64_t left, bottom, right, top;
+  };
+
+  Extent joined_with(const Extent& other) const {
+    if (cells_.empty()) return other;
+    return {std::min<std::int64_t>(other.left, min_x_),
+            std::min<std::int64_t>(other.bottom, min_y_),
+            std::max<std::int64_t>(other.right, min_x_ + width_),
+            std::max<std::int64_t>(other.top, min_y_ + height_)};
+  }
+
   /// Throws Error, and stays as it is, for a size that no map can have.
-  void check_size(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) const {
-    const bool is_empty = cells_.empty();
-    const std::int64_t left = is_empty ? x0 : std::min<std::int64_t>(x0, min_x_);
-    const std::int64_t bottom = is_empty ? y0 : std::min<std::int64_t>(y0, min_y_);
-    const std::int64_t right = is_empty ? x1 : std::max<std::int64_t>(x1, min_x_ + width_);
-    const std::int64_t top = is_empty ? y1 : std::max<std::int64_t>(y1, min_y_ + height_);
+  void check_size(const Extent& added) const {
+    const auto [left, bottom, right, top] = joined_with(added);
     const auto columns = static_cast<double>(right - left),
                rows = static_cast<double>(top - bottom);
     constexpr std::int64_t kFarthest = 1 << 30;
@@ -66,22 +75,26 @@ class GrowingGrid {
                 std::to_string(bottom) + "), legal: up to 2^30 bytes, numbers below 2^30");
   }
 
+  /// The first and last cells with room for the rectangle that includes both corners, and a margin
+  /// on the sides where that is more than there is.
+  Extent grown(int x0, int y0, int x1, int y1) const {
+    constexpr int kMargin = 32;
+    if (cells_.empty()) return {x0 - kMargin, y0 - kMargin, x1 + kMargin, y1 + kMargin};
+    const int end_x = min_x_ + width_ - 1;
+    const int end_y = min_y_ + height_ - 1;
+    return {x0 < min_x_ ? x0 - kMargin : min_x_, y0 < min_y_ ? y0 - kMargin : min_y_,
+            x1 > end_x ? x1 + kMargin : end_x, y1 > end_y ? y1 + kMargin : end_y};
+  }
+
   /// Grows in steps of 64 cells, so that a map that spreads is copied seldom.
   void grow(int x0, int y0, int x1, int y1) {
-    check_size(x0, y0, x1, y1);
-    constexpr int kMargin = 32;
-    const bool is_empty = cells_.empty();
-    const int new_min_x = is_empty || x0 < min_x_ ? x0 - kMargin : min_x_;
-    const int new_min_y = is_empty || y0 < min_y_ ? y0 - kMargin : min_y_;
-    const int end_x = is_empty ? x1 : min_x_ + width_ - 1;
-    const int end_y = is_empty ? y1 : min_y_ + height_ - 1;
-    const int new_end_x = is_empty || x1 > end_x ? x1 + kMargin : end_x;
-    const int new_end_y = is_empty || y1 > end_y ? y1 + kMargin : end_y;
+    check_size({x0, y0, x1, y1});
+    const Extent extent = grown(x0, y0, x1, y1);
     GrowingGrid bigger;
-    bigger.min_x_ = new_min_x;
-    bigger.min_y_ = new_min_y;
-    bigger.width_ = new_end_x - new_min_x + 1;
-    bigger.height_ = new_end_y - new_min_y + 1;
+    bigger.min_x_ = static_cast<int>(extent.left);
+    bigger.min_y_ = static_cast<int>(extent.bottom);
+    bigger.width_ = static_cast<int>(extent.right - extent.left + 1);
+    bigger.height_ = static_cast<int>(extent.top - extent.bottom + 1);
     bigger.cells_.assign(static_cast<std::size_t>(bigger.width_) * bigger.height_, T{});
     for (int row = 0; row < height_; ++row) {
       const auto begin = cells_.begin() + static_cast<std::ptrdiff_t>(row) * width_;

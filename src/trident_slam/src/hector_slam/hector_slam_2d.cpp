@@ -88,26 +88,34 @@ class HectorSlam2d::Impl {
         params_.use_odometry ? 1e-9 * static_cast<double>(scan.stamp_ns - last_stamp_ns_) : 0.0;
     const auto shared = std::make_shared<const PointScan>(
         make_point_scan(scan, options, sweep_twist(scan, motion->T_before_now, seconds)));
-    const PointScan& points = *shared;
     motion_source_.measure(shared, motion);
-    MapMatch match;
-    match.T_map_base = T_map_base_ * motion->T_before_now;
-    if (has_map_ && !params_.map_with_known_poses) {
-      for (std::size_t level = levels_.size(); level-- > 0;) {
-        match = match_map(levels_[level], points, match.T_map_base,
-                          level == 0 ? kFineIterations : kCoarseIterations);
-      }
-    } else {
-      match.covariance.setZero();
-    }
+    const MapMatch match = matched(*shared, T_map_base_ * motion->T_before_now);
     T_map_base_ = match.T_map_base;
-    if (has_moved()) {
-      for (ProbabilityGrid& level : levels_) level.insert(T_map_base_, points);
-      T_map_mapped_ = T_map_base_;
-      mapped_.extend(T_map_base_.p);
-      has_map_ = true;
-    }
+    if (has_moved()) add_to_map(*shared);
     return match.covariance;
+  }
+
+  // From the coarsest level to the finest; a pose that is known, or that nothing is known about,
+  // stays as it is.
+  MapMatch matched(const PointScan& points, const SE2& T_map_base) const {
+    MapMatch match;
+    match.T_map_base = T_map_base;
+    if (!has_map_ || params_.map_with_known_poses) {
+      match.covariance.setZero();
+      return match;
+    }
+    for (std::size_t level = levels_.size(); level-- > 0;) {
+      match = match_map(levels_[level], points, match.T_map_base,
+                        level == 0 ? kFineIterations : kCoarseIterations);
+    }
+    return match;
+  }
+
+  void add_to_map(const PointScan& points) {
+    for (ProbabilityGrid& level : levels_) level.insert(T_map_base_, points);
+    T_map_mapped_ = T_map_base_;
+    mapped_.extend(T_map_base_.p);
+    has_map_ = true;
   }
 
   bool has_moved() const {

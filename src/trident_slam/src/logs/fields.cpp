@@ -14,6 +14,25 @@ bool parse(std::string_view word, Number& value) {
   return code == std::errc() && end == word.data() + word.size() && !word.empty();
 }
 
+constexpr std::int64_t kSecond = 1'000'000'000;  // [ns]
+
+bool parse_seconds(std::string_view text, std::int64_t& seconds) {
+  constexpr std::int64_t kMaxSeconds = INT64_MAX / kSecond - 1;
+  return parse(text, seconds) && seconds >= 0 && seconds <= kMaxSeconds;
+}
+
+/// The digits behind the point of a number of seconds.
+bool parse_fraction(std::string_view digits, std::int64_t& nanoseconds) {
+  nanoseconds = 0;
+  std::int64_t unit = kSecond / 10;
+  for (const char c : digits) {
+    if (c < '0' || c > '9') return false;
+    nanoseconds += unit * (c - '0');
+    unit /= 10;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string_view Fields::word() {
@@ -39,21 +58,14 @@ bool Fields::finite(double& value) { return number(value) && std::isfinite(value
 
 /// Digits are read exactly: a double holds a time of today only to some hundred nanoseconds.
 bool Fields::stamp(std::int64_t& nanoseconds) {
-  constexpr std::int64_t kSecond = 1'000'000'000;
-  constexpr std::int64_t kMaxSeconds = INT64_MAX / kSecond - 1;
   std::string_view text = word();
   const bool is_negative = !text.empty() && text.front() == '-';
   if (is_negative) text.remove_prefix(1);
   const std::size_t point = std::min(text.find('.'), text.size());
   std::int64_t seconds = 0;
-  if (!parse(text.substr(0, point), seconds) || seconds < 0 || seconds > kMaxSeconds) return false;
+  if (!parse_seconds(text.substr(0, point), seconds)) return false;
   std::int64_t fraction = 0;
-  std::int64_t unit = kSecond / 10;
-  for (const char c : text.substr(std::min(point + 1, text.size()))) {
-    if (c < '0' || c > '9') return false;
-    fraction += unit * (c - '0');
-    unit /= 10;
-  }
+  if (!parse_fraction(text.substr(std::min(point + 1, text.size())), fraction)) return false;
   nanoseconds = seconds * kSecond + fraction;
   if (is_negative) nanoseconds = -nanoseconds;
   return true;

@@ -248,32 +248,46 @@ void leave_missing_odometry(Slam2d* slam) {
   able->set_uses_odometry(false);
 }
 
+std::unique_ptr<ScanSource> open_log(const OfflineCommand& options, const OpenSource& open) {
+  std::unique_ptr<ScanSource> log = open(options);
+  if (const std::string chosen = log->chosen(); !chosen.empty()) std::cerr << chosen << '\n';
+  return log;
+}
+
+void make_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw Error(path + ": cannot be made: " + error.message());
+}
+
 /// What the log has shown is printed also when the run fails, since it often is the reason.
+OfflineResult run_log(const OfflineCommand& options, ScanSource& log, Slam2d& slam) {
+  ProgressLine progress;
+  OfflineResult result;
+  try {
+    result = run_offline(log, slam, options.out_dir, std::ref(progress),
+                         options.shows_scans ? OfflineScanBegins(show_scan) : nullptr);
+  } catch (const Error& problem) {
+    print_problems("problems of the log", log.problems());
+    throw Error(options.log_file + ": " + problem.what());
+  }
+  progress.finish();
+  print_problems("problems of the log", log.problems());
+  print_problems("problems of scans", result.scan_problems);
+  if (!result.stamp_problem.empty()) std::cerr << "warning: " << result.stamp_problem << '\n';
+  return result;
+}
+
 void run(const OfflineCommand& options, const OpenSource& open) {
   const Slam2dFactory method = builtin_slam_2d().get(options.method);
   const std::unique_ptr<Slam2d> slam = method(Slam2dSetup(options.config_file));
   if (!options.uses_odometry) leave_odometry(slam.get(), options.method);
   Slam2dSession* const session = with_sessions(slam.get(), options);
-  const std::unique_ptr<ScanSource> log = open(options);
-  if (const std::string chosen = log->chosen(); !chosen.empty()) std::cerr << chosen << '\n';
+  const std::unique_ptr<ScanSource> log = open_log(options, open);
   if (options.uses_odometry && !log->has_odometry()) leave_missing_odometry(slam.get());
   if (!options.session.empty()) load_session(session, options);
-  std::error_code error;
-  std::filesystem::create_directories(options.out_dir, error);
-  if (error) throw Error(options.out_dir + ": cannot be made: " + error.message());
-  ProgressLine progress;
-  OfflineResult result;
-  try {
-    result = run_offline(*log, *slam, options.out_dir, std::ref(progress),
-                         options.shows_scans ? OfflineScanBegins(show_scan) : nullptr);
-  } catch (const Error& problem) {
-    print_problems("problems of the log", log->problems());
-    throw Error(options.log_file + ": " + problem.what());
-  }
-  progress.finish();
-  print_problems("problems of the log", log->problems());
-  print_problems("problems of scans", result.scan_problems);
-  if (!result.stamp_problem.empty()) std::cerr << "warning: " << result.stamp_problem << '\n';
+  make_folder(options.out_dir);
+  const OfflineResult result = run_log(options, *log, *slam);
   if (!options.kept_session.empty()) session->save_session(options.kept_session);
   write_timing(options, result, log->problems().count());
 }

@@ -134,6 +134,25 @@ Eigen::Vector3d offset_from(const SE2& prior, const SE2& T) {
   return {T.p.x() - prior.p.x(), T.p.y() - prior.p.y(), angle_difference(T.angle, prior.angle)};
 }
 
+/// A prior that errs by an offset is doubted as a point is: wheels slip.
+double trust_in(const PosePrior& prior, const Eigen::Vector3d& off) {
+  constexpr double kPriorKernel = 9.0;  // squared standard deviations
+  return prior.is_firm ? 1.0 : 1.0 / (1.0 + off.dot(prior.information * off) / kPriorKernel);
+}
+
+/// How well the points fit where they were paired last.
+void describe_fit(const NormalEquations& sums, std::size_t points, double range,
+                  MatchResult* result) {
+  result->information = sums.H;
+  result->degeneracy = degeneracy_of(sums.H, range);
+  if (points > 0) {
+    result->inlier_fraction = static_cast<double>(sums.inliers) / static_cast<double>(points);
+  }
+  if (sums.inliers > 0) {
+    result->rms = std::sqrt(sums.squared_inliers / static_cast<double>(sums.inliers));
+  }
+}
+
 }  // namespace
 
 Degeneracy degeneracy_of(const Eigen::Matrix3d& information, double mean_range) {
@@ -164,11 +183,8 @@ MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const
     SE2& T = result.T_ref_base;
     sums = pairing.sums_at(T, range);
     if (static_cast<double>(pairing.paired()) < fewest_pairs) break;
-    // A prior that errs is doubted as a point is: wheels slip.
     const Eigen::Vector3d off = offset_from(prior.T_ref_base, T);
-    constexpr double kPriorKernel = 9.0;  // squared standard deviations
-    const double trust =
-        prior.is_firm ? 1.0 : 1.0 / (1.0 + off.dot(prior.information * off) / kPriorKernel);
+    const double trust = trust_in(prior, off);
     Eigen::Matrix3d H = sums.H;
     Eigen::Vector3d g = sums.g;
     if (prior.is_independent) discard_degenerate(range, &H, &g);
@@ -185,15 +201,7 @@ MatchResult match_lines(const SurfelMap& reference, const PointScan& scan, const
     }
     pairing.forget();
   }
-  result.information = sums.H;
-  result.degeneracy = degeneracy_of(sums.H, range);
-  if (pairing.size() > 0) {
-    result.inlier_fraction =
-        static_cast<double>(sums.inliers) / static_cast<double>(pairing.size());
-  }
-  if (sums.inliers > 0) {
-    result.rms = std::sqrt(sums.squared_inliers / static_cast<double>(sums.inliers));
-  }
+  describe_fit(sums, pairing.size(), range, &result);
   return result;
 }
 

@@ -19,6 +19,10 @@ const Eigen::Vector3d kUnknown(1e3, 1e3, kPi);
 
 bool is_finite(const SE2& T) { return T.p.allFinite() && std::isfinite(T.angle); }
 
+bool is_finite(const PosePrior& prior) {
+  return is_finite(prior.T_ref_base) && prior.information.allFinite();
+}
+
 std::size_t count_not_finite(const PointScan& scan) {
   return static_cast<std::size_t>(std::count_if(
       scan.points.begin(), scan.points.end(),
@@ -38,6 +42,14 @@ Eigen::Matrix3d covariance_of(const PosePrior& prior) {
   const Eigen::Matrix3d unknown = kUnknown.cwiseAbs2().cwiseInverse().asDiagonal();
   if (!prior.information.allFinite()) return unknown.inverse();
   return (prior.information + unknown).inverse();
+}
+
+std::string fault_of(const ScanMatch& match) {
+  if (!is_finite(match.T_ref_base) || !match.covariance.allFinite()) {
+    return "the match did not stay finite";
+  }
+  if (!match.problem.empty()) return match.problem;
+  return match.inlier_fraction == 0.0 ? "no point lies on a surface of the reference" : "";
 }
 
 }  // namespace
@@ -66,9 +78,7 @@ void ScanMatcher::clear_reference() {
 std::string ScanMatcher::problem_of(const PointScan& scan, const SE2& guess,
                                     const PosePrior& prior) const {
   if (!is_finite(guess)) return "the guess is not finite";
-  if (!is_finite(prior.T_ref_base) || !prior.information.allFinite()) {
-    return "the prior is not finite";
-  }
+  if (!is_finite(prior)) return "the prior is not finite";
   const std::size_t bad = count_not_finite(scan);
   if (bad > 0) {
     return std::to_string(bad) + " of " + std::to_string(scan.points.size()) +
@@ -89,18 +99,8 @@ ScanMatch ScanMatcher::match(const PointScan& scan, const SE2& guess,
   none.problem = problem_of(scan, guess, prior);
   if (!none.problem.empty()) return none;
   ScanMatch match = find(scan, guess, prior);
-  if (!is_finite(match.T_ref_base) || !match.covariance.allFinite()) {
-    none.problem = "the match did not stay finite";
-    return none;
-  }
-  if (!match.problem.empty()) {
-    none.problem = match.problem;
-    return none;
-  }
-  if (match.inlier_fraction == 0.0) {
-    none.problem = "no point lies on a surface of the reference";
-    return none;
-  }
+  none.problem = fault_of(match);
+  if (!none.problem.empty()) return none;
   if (match.degeneracy.is_degenerate() && prior.information.isZero(0.0)) {
     match.T_ref_base =
         held_where_degenerate(match.T_ref_base, guess, match.information, mean_range(scan));

@@ -37,14 +37,18 @@ void MotionSource::measure(const std::shared_ptr<const PointScan>& scan, Step* s
                                 std::sqrt(covariance(2, 2))};
 }
 
+void MotionSource::settle_by_scans(const SE2& T_before_now) {
+  if (newest_ == nullptr) scan_odometry_.coast(T_before_now);
+  scan_odometry_.settle(T_before_now);
+  motion_.add(stamp_ns_, scan_step_.T_before_now, newest_ != nullptr && scan_step_.is_sure);
+}
+
 std::string MotionSource::settle(const SE2& T_before_now, bool is_shown) {
   const bool was_by_scans = is_by_scans();
   const bool was_silent = is_silent();
   if (uses_odometry_) watch_.add(T_reported_, T_before_now, is_shown);
   if (was_by_scans) {
-    if (newest_ == nullptr) scan_odometry_.coast(T_before_now);
-    scan_odometry_.settle(T_before_now);
-    motion_.add(stamp_ns_, scan_step_.T_before_now, newest_ != nullptr && scan_step_.is_sure);
+    settle_by_scans(T_before_now);
   } else {
     motion_.add(stamp_ns_, T_before_now, is_shown);
   }

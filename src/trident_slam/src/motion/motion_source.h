@@ -46,6 +46,7 @@ class MotionSource {
   void set_uses_odometry(bool uses_odometry) { uses_odometry_ = uses_odometry; }
 
  private:
+  void settle_by_scans(const SE2& T_before_now);
   std::string change_of_odometry(bool was_silent) const;
 
   bool uses_odometry_;

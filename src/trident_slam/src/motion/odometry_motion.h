@@ -36,6 +36,8 @@ class OdometryMotion {
   void forget() { T_odom_base_.reset(); }
 
  private:
+  Step step_between(const SE2& T_odom_before, const SE2& T_odom_now) const;
+
   double jump_distance_;
   double jump_heading_;
   std::optional<SE2> T_odom_base_;  ///< the latest that was a number

@@ -61,6 +61,12 @@ void OdometryWatch::judge_silence(double path_length) {
   }
 }
 
+/// Judges long rotations and paths in pieces: what a mount and a drift excuse is bounded.
+void OdometryWatch::end_long_pieces(double path_length) {
+  if (!position_.is_silent && position_.largest_turn > kLongestTurn) position_.restart(false);
+  if (!heading_.is_silent && path_length > kMaxPathLength) heading_.restart(false);
+}
+
 void OdometryWatch::add(const SE2& T_reported, const SE2& T_seen, bool is_shown) {
   for (Still* still : {&position_, &heading_}) still->add(T_reported, T_seen, is_shown);
   reported_meters_ += T_reported.p.norm();
@@ -70,8 +76,7 @@ void OdometryWatch::add(const SE2& T_reported, const SE2& T_seen, bool is_shown)
   if (std::abs(heading_.reported_radians) > kStill) heading_.restart(true);
   const double path_length = heading_.reported_meters + heading_.T_seen.p.norm();
   judge_silence(path_length);
-  if (!position_.is_silent && position_.largest_turn > kLongestTurn) position_.restart(false);
-  if (!heading_.is_silent && path_length > kMaxPathLength) heading_.restart(false);
+  end_long_pieces(path_length);
   if (!was_silent && is_silent()) reported_meters_ = reported_radians_ = 0.0;
 }
 

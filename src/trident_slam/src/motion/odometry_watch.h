@@ -44,6 +44,7 @@ class OdometryWatch {
     void restart(bool has_reported);
   };
   void judge_silence(double path_length);
+  void end_long_pieces(double path_length);
   bool is_patient() const { return reported_meters_ + reported_radians_ > 0.5; }
 
   Still position_;

@@ -66,6 +66,12 @@ void ScanOdometry::keep(const std::shared_ptr<const PointScan>& scan) {
   for (const Placed& placed : recent_) surfels_.insert(placed.T_local_base, *placed.scan);
 }
 
+MaxPyramid ScanOdometry::recent_hits() const {
+  MaxPyramid hits(kSearchResolution, 5);
+  for (const Placed& placed : recent_) hits.insert(placed.T_local_base, *placed.scan);
+  return hits;
+}
+
 MatchResult ScanOdometry::match(const PointScan& scan, const ExpectedMotion& expected) const {
   const PosePrior prior = prior_of(T_local_base_, expected);
   const LineMatchOptions line = line_options();
@@ -73,10 +79,7 @@ MatchResult ScanOdometry::match(const PointScan& scan, const ExpectedMotion& exp
   std::optional<MaxPyramid> hits;
   for (const auto& [enough, window] : {std::pair(kGoodFit, kNear), std::pair(kPoorFit, kWide)}) {
     if (best.inlier_fraction >= enough) break;
-    if (!hits) {
-      hits.emplace(kSearchResolution, 5);
-      for (const Placed& placed : recent_) hits->insert(placed.T_local_base, *placed.scan);
-    }
+    if (!hits) hits = recent_hits();
     const auto found = match_by_branch_and_bound(*hits, thinned_points(scan, kSearchPoints),
                                                  prior.T_ref_base, window, kMinResponse);
     if (!found) continue;

@@ -5,6 +5,7 @@
 #include <deque>
 #include <memory>
 
+#include "grids/max_pyramid.h"
 #include "matchers/line_match.h"
 #include "scan_motion.h"
 
@@ -40,6 +41,7 @@ class ScanOdometry {
     std::shared_ptr<const PointScan> scan;
   };
   void keep(const std::shared_ptr<const PointScan>& scan);
+  MaxPyramid recent_hits() const;
   MatchResult match(const PointScan& scan, const ExpectedMotion& expected) const;
 
   std::deque<Placed> recent_;

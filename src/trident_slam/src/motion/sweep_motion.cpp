@@ -53,24 +53,32 @@ double YawRates::rate_at(std::size_t after, std::int64_t stamp_ns) const {
   return a.rate + part * (b.rate - a.rate);
 }
 
-std::optional<double> YawRates::mean(std::int64_t from_ns, std::int64_t to_ns) const {
-  if (samples_.empty() || from_ns > to_ns || from_ns < samples_.front().stamp_ns ||
-      to_ns > samples_.back().stamp_ns) {
-    return std::nullopt;
-  }
-  const auto not_before = [this](std::int64_t stamp_ns) {
-    const auto it = std::lower_bound(
-        samples_.begin(), samples_.end(), stamp_ns,
-        [](const Sample& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });
-    return static_cast<std::size_t>(it - samples_.begin());
-  };
-  const std::size_t last = not_before(to_ns);
-  std::size_t next = not_before(from_ns);
+bool YawRates::covers(std::int64_t from_ns, std::int64_t to_ns) const {
+  return !samples_.empty() && from_ns <= to_ns && from_ns >= samples_.front().stamp_ns &&
+         to_ns <= samples_.back().stamp_ns;
+}
+
+/// The first sample that is not before a time.
+std::size_t YawRates::not_before(std::int64_t stamp_ns) const {
+  const auto it = std::lower_bound(
+      samples_.begin(), samples_.end(), stamp_ns,
+      [](const Sample& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });
+  return static_cast<std::size_t>(it - samples_.begin());
+}
+
+bool YawRates::has_gap(std::int64_t from_ns, std::int64_t to_ns) const {
+  const std::size_t next = not_before(from_ns), last = not_before(to_ns);
   // The first interval counts where the time begins within it.
   const std::size_t first = samples_[next].stamp_ns > from_ns ? next : next + 1;
   for (std::size_t i = first; i <= last; ++i) {
-    if (samples_[i].stamp_ns - samples_[i - 1].stamp_ns > kLongestGap) return std::nullopt;
+    if (samples_[i].stamp_ns - samples_[i - 1].stamp_ns > kLongestGap) return true;
   }
+  return false;
+}
+
+std::optional<double> YawRates::mean(std::int64_t from_ns, std::int64_t to_ns) const {
+  if (!covers(from_ns, to_ns) || has_gap(from_ns, to_ns)) return std::nullopt;
+  std::size_t next = not_before(from_ns);
   double rate = rate_at(next, from_ns);
   if (from_ns == to_ns) return rate;
   double integral = 0.0;  // by trapezia [rad/s ns]

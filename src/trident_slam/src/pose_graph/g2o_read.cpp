@@ -116,11 +116,7 @@ class Reader {
       begin = end + 1;
       if (!line.is_at_end()) read_line(line, number);
     }
-    if (!plane_.is_empty() && !space_.is_empty()) {
-      throw Error(file_ + ": holds both SE2 and SE3, but must be of one kind");
-    }
-    if (plane_.is_empty() && space_.is_empty())
-      throw Error(file_ + ": holds no vertex and no edge");
+    require_one_kind();
     if (!plane_.is_empty()) return graph_of(plane_);
     return graph_of(space_);
   }
@@ -135,6 +131,14 @@ class Reader {
   }
 
  private:
+  void require_one_kind() const {
+    if (!plane_.is_empty() && !space_.is_empty()) {
+      throw Error(file_ + ": holds both SE2 and SE3, but must be of one kind");
+    }
+    if (plane_.is_empty() && space_.is_empty())
+      throw Error(file_ + ": holds no vertex and no edge");
+  }
+
   void read_line(G2oLine& line, int number) {
     const std::string_view tag = line.word();
     if (starts_with(tag, "#")) return;

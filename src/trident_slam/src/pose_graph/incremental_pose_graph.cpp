@@ -110,16 +110,23 @@ IncrementalPoseGraph<Group>& IncrementalPoseGraph<Group>::operator=(
 template <class Group>
 IncrementalPoseGraph<Group>::~IncrementalPoseGraph() = default;
 
-// The vertex is placed where its last edge from the vertex before leads; how far all its edges
-// disagree with that is what has come together until the next optimization.
+// Where a vertex's last edge from the vertex before leads; else its first edge, if it has one.
 template <class Group>
-void IncrementalPoseGraph<Group>::add(int id, const Group& T_map_vertex,
-                                      const std::vector<Edge>& edges) {
+Group IncrementalPoseGraph<Group>::placed(int id, const Group& T_map_vertex,
+                                          const std::vector<Edge>& edges) const {
   Group T = edges.empty() ? T_map_vertex : pose_by(edges.front(), id, graph_);
   for (const Edge& edge : edges) {
     if (edge.from == last_id_ || edge.to == last_id_) T = pose_by(edge, id, graph_);
   }
-  graph_.add_vertex(id, T);
+  return T;
+}
+
+// How far all edges disagree with where the vertex is placed is what has come together until the
+// next optimization.
+template <class Group>
+void IncrementalPoseGraph<Group>::add(int id, const Group& T_map_vertex,
+                                      const std::vector<Edge>& edges) {
+  graph_.add_vertex(id, placed(id, T_map_vertex, edges));
   last_id_ = id;
   for (const Edge& edge : edges) {
     graph_.add_edge(edge);

@@ -27,10 +27,8 @@ std::string edge_name(int from, int to) {
 }
 
 template <class Edge>
-void check_edge(const Edge& edge) {
+void check_information(const Edge& edge) {
   const auto name = [&] { return edge_name(edge.from, edge.to); };
-  if (edge.from == edge.to) throw Error(name() + ": its vertices must differ");
-  if (!is_finite(edge.T_from_to)) throw Error(name() + ": its measurement must be finite");
   if (!edge.information.allFinite()) throw Error(name() + ": its information must be finite");
   const double asymmetry = (edge.information - edge.information.transpose()).cwiseAbs().maxCoeff();
   if (asymmetry > 1e-9 * edge.information.cwiseAbs().maxCoeff()) {
@@ -40,6 +38,14 @@ void check_edge(const Edge& edge) {
     throw Error(name() + ": the diagonal of its information must be >= 0, not " +
                 number_text(edge.information.diagonal().minCoeff()));
   }
+}
+
+template <class Edge>
+void check_edge(const Edge& edge) {
+  const auto name = [&] { return edge_name(edge.from, edge.to); };
+  if (edge.from == edge.to) throw Error(name() + ": its vertices must differ");
+  if (!is_finite(edge.T_from_to)) throw Error(name() + ": its measurement must be finite");
+  check_information(edge);
   if (!(edge.kernel_scale > 0.0)) {
     throw Error(name() + ": kernel_scale must be > 0, not " + number_text(edge.kernel_scale));
   }

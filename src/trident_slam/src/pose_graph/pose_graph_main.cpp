@@ -118,24 +118,32 @@ std::vector<std::string> names_of(const Takers& takers) {
   return names;
 }
 
+/// Own Gauss-Newton steps on squared errors.
+bool is_plain(const Settings& settings) {
+  return !settings.is_ceres && !settings.options.is_graduated &&
+         settings.kernel == RobustKernel::kNone;
+}
+
 /// Throws Error for options that exclude each other.
 void check_combination(const Settings& settings) {
   const bool is_graduated = settings.options.is_graduated;
-  const bool is_plain =
-      !settings.is_ceres && !is_graduated && settings.kernel == RobustKernel::kNone;
-  if (settings.is_incremental && !is_plain) {
+  if (settings.is_incremental && !is_plain(settings)) {
     throw Error("--incremental needs --solver trident and no --robust");
   }
   if (settings.is_ceres && is_graduated) throw Error("--robust gnc needs --solver trident");
 }
 
+/// Options without a value; false: it is none of them.
+bool take_flag(const std::string& name, Settings& settings) {
+  if (name != kStrict && name != kIncremental) return false;
+  (name == kStrict ? settings.is_strict : settings.is_incremental) = true;
+  return true;
+}
+
 void parse_options(int argc, char** argv, const Takers& takers, Settings& settings) {
   for (int k = 2; k < argc; ++k) {
     const std::string name = argv[k];
-    if (name == kStrict || name == kIncremental) {
-      (name == kStrict ? settings.is_strict : settings.is_incremental) = true;
-      continue;
-    }
+    if (take_flag(name, settings)) continue;
     const auto found = takers.find(name);
     if (found == takers.end()) {
       throw Error("unknown option " + unknown_name_text(name, names_of(takers)));

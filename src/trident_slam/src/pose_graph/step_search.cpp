@@ -35,6 +35,21 @@ bool StepSearch<Group>::run() {
   return false;
 }
 
+/// What a step that was taken comes to.
+template <class Group>
+typename StepSearch<Group>::Outcome StepSearch<Group>::outcome_of(double promised) const {
+  return is_negligible(promised) ? Outcome::kConverged : Outcome::kMoved;
+}
+
+/// Goes on from where a step raised the cost.
+template <class Group>
+typename StepSearch<Group>::Outcome StepSearch<Group>::accept_worse() {
+  has_rejected_ = true;
+  cost_ = system_.cost(trial_).robust;
+  std::swap(system_.poses, trial_);
+  return std::isfinite(cost_) ? Outcome::kMoved : Outcome::kStuck;
+}
+
 /// Gauss-Newton takes its step even where that raises the cost; that it has done so lets the other
 /// start be tried.
 template <class Group>
@@ -43,14 +58,16 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate() {
   if (!solve_somehow()) return Outcome::kStuck;
   if (options_.strategy == TrustStrategy::kDogleg) return iterate_dogleg();
   const double promised = promised_by(newton_);
-  if (!try_step(newton_)) {  // taken all the same, unless there is nothing left to gain
-    if (is_negligible(promised)) return Outcome::kConverged;
-    has_rejected_ = true;
-    cost_ = system_.cost(trial_).robust;
-    std::swap(system_.poses, trial_);
-    return std::isfinite(cost_) ? Outcome::kMoved : Outcome::kStuck;
-  }
-  return is_negligible(promised) ? Outcome::kConverged : Outcome::kMoved;
+  // Taken all the same, unless there is nothing left to gain.
+  if (!try_step(newton_) && !is_negligible(promised)) return accept_worse();
+  return outcome_of(promised);
+}
+
+template <class Group>
+void StepSearch<Group>::relax_damping(double gain) {
+  lambda_ *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gain - 1.0, 3));
+  if (lambda_ < kForgottenLambda) lambda_ = 0.0;
+  growth_ = 2.0;
 }
 
 /// Levenberg-Marquardt with Nielsen's update of the damping (H. B. Nielsen, Damping parameter in
@@ -64,11 +81,8 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_damped() {
       const double promised = promised_by(newton_);
       const double before = cost_;
       if (try_step(newton_)) {
-        const double gain = (before - cost_) / promised;
-        lambda_ *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gain - 1.0, 3));
-        if (lambda_ < kForgottenLambda) lambda_ = 0.0;
-        growth_ = 2.0;
-        return is_negligible(promised) ? Outcome::kConverged : Outcome::kMoved;
+        relax_damping((before - cost_) / promised);
+        return outcome_of(promised);
       }
       if (is_negligible(promised)) return Outcome::kConverged;
     }
@@ -79,6 +93,22 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_damped() {
   return Outcome::kStuck;
 }
 
+/// The Gauss-Newton step, or what the trust region lets of it. `downhill`: the step to the minimum
+/// along the gradient; empty until it is needed.
+template <class Group>
+Eigen::VectorXd StepSearch<Group>::step_within_radius(double newton_length,
+                                                      Eigen::VectorXd* downhill) const {
+  if (newton_length <= radius_) return newton_;
+  if (downhill->size() == 0) *downhill = -(g_.squaredNorm() / curvature(g_)) * g_;
+  return dogleg_step(*downhill);
+}
+
+template <class Group>
+void StepSearch<Group>::adapt_radius(double gain, double step_length) {
+  if (gain > 0.75) radius_ = std::max(radius_, 3.0 * step_length);
+  if (gain < 0.25) radius_ = 0.5 * step_length;
+}
+
 /// Powell's dogleg within a trust region, whose radius starts at the first Gauss-Newton step. The
 /// system is factorized once per linearization, however often the radius shrinks.
 template <class Group>
@@ -87,24 +117,20 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::iterate_dogleg() {
   const double promised_in_full = promised_by(newton_);
   if (radius_ < 0.0) radius_ = newton_length;
   Eigen::VectorXd downhill;
-  while (true) {
-    const bool is_in_full = newton_length <= radius_;
-    if (!is_in_full && downhill.size() == 0) downhill = -(g_.squaredNorm() / curvature(g_)) * g_;
-    const Eigen::VectorXd step = is_in_full ? newton_ : dogleg_step(downhill);
+  do {
+    const Eigen::VectorXd step = step_within_radius(newton_length, &downhill);
     const double promised = promised_by(step);
     const double before = cost_;
     if (try_step(step)) {
-      const double gain = (before - cost_) / promised;
-      if (gain > 0.75) radius_ = std::max(radius_, 3.0 * length(step));
-      if (gain < 0.25) radius_ = 0.5 * length(step);
-      return is_negligible(promised_in_full) ? Outcome::kConverged : Outcome::kMoved;
+      adapt_radius((before - cost_) / promised, length(step));
+      return outcome_of(promised_in_full);
     }
     if (is_negligible(promised)) return Outcome::kConverged;
     has_rejected_ = true;
     radius_ = 0.5 * std::min(radius_, length(step));
     if (radius_ < kMinRadiusRatio * newton_length) return Outcome::kStuck;
-    if (++iterations_ >= options_.max_iterations) return Outcome::kMoved;
-  }
+  } while (++iterations_ < options_.max_iterations);
+  return Outcome::kMoved;
 }
 
 /// Damping multiplies the diagonal (Marquardt's scaling), so that it does not depend on units.

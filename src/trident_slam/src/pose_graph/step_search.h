@@ -34,6 +34,11 @@ class StepSearch {
   Outcome iterate();
   Outcome iterate_damped();
   Outcome iterate_dogleg();
+  Outcome accept_worse();
+  Outcome outcome_of(double promised) const;
+  void relax_damping(double gain);
+  void adapt_radius(double gain, double step_length);
+  Eigen::VectorXd step_within_radius(double newton_length, Eigen::VectorXd* downhill) const;
   bool solve(double lambda);
   bool solve_somehow();
   double length(const Eigen::VectorXd& step) const;

@@ -59,9 +59,8 @@ std::string ScanCheck::Pattern::text() const {
          number_text(angle_increment) + " rad";
 }
 
-bool ScanCheck::is_believed(const Pattern& pattern) {
-  const auto is_like = [&pattern](const Pattern& known) { return pattern.is_like(known); };
-  if (std::any_of(patterns_.begin(), patterns_.end(), is_like)) return true;
+/// What is known of a pattern that is not believed yet; after a long time it begins again.
+std::vector<ScanCheck::Newcomer>::iterator ScanCheck::newcomer_of(const Pattern& pattern) {
   auto it = std::find_if(newcomers_.begin(), newcomers_.end(), [&pattern](const Newcomer& known) {
     return pattern.is_like(known.pattern);
   });
@@ -71,6 +70,13 @@ bool ScanCheck::is_believed(const Pattern& pattern) {
   } else if (scans_ - it->first_scan >= kPatienceScans) {
     *it = {pattern, scans_, 0};
   }
+  return it;
+}
+
+bool ScanCheck::is_believed(const Pattern& pattern) {
+  const auto is_like = [&pattern](const Pattern& known) { return pattern.is_like(known); };
+  if (std::any_of(patterns_.begin(), patterns_.end(), is_like)) return true;
+  const auto it = newcomer_of(pattern);
   if (++it->count < kPatience && !patterns_.empty()) return false;
   newcomers_.erase(it);
   patterns_.push_back(pattern);

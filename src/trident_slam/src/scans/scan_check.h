@@ -43,6 +43,7 @@ class ScanCheck {
     int first_scan = 0;
     int count = 0;
   };
+  std::vector<Newcomer>::iterator newcomer_of(const Pattern& pattern);
   bool is_believed(const Pattern& pattern);
 
   std::vector<Pattern> patterns_;    ///< believed ones that are not like each other

@@ -81,6 +81,7 @@ class BagFile {
     Fields fields;
   };
 
+  bool is_in_index(std::uint64_t record) const;
   void walk();
   bool take_record(std::uint64_t& at);
   bool read_record(Record& record);
@@ -88,6 +89,7 @@ class BagFile {
   void take_bag_header(const Fields& fields);
   void take_loose_message(const Record& record);
   bool take_loose_connection(const Record& record);
+  bool read_chunk(const Fields& fields, std::uint64_t begin, Chunk& chunk) const;
   bool take_chunk(std::uint64_t record, const Fields& fields, std::uint64_t begin,
                   std::size_t stored);
   /// Bytes of a chunk's content.

@@ -35,8 +35,10 @@ void PoseGraphBackend::add_keyframe(const std::shared_ptr<const PointScan>& scan
                                     const MatchResult& match, double travelled) {
   // 1. Graph: a node, an edge to the keyframe before, and edges to revisited submaps.
   const int k = graph_->add({tracker_->T_map_base(), scan, travelled});
-  if (k > 0) add_odometry_edge(k, match);
-  if (k > 0) add_revisit_edges(k, *scan);
+  if (k > 0) {
+    add_odometry_edge(k, match);
+    add_revisit_edges(k, *scan);
+  }
   // 2. Submaps: those that may have drifted since are not matched with.
   if (k % options_.back_end.keyframe_edges.deactivation_period == 0) deactivate_drifted_submaps();
   // 3. Surfaces: the scan becomes part of the local map.

@@ -115,15 +115,20 @@ class ScanPruner::View {
   std::array<double, kViewDirections> farthest_{};
 };
 
+std::vector<char> ScanPruner::near_newest(const KeyframeGraph& graph, double radius) {
+  const int newest = graph.size() - 1;
+  std::vector<char> is_near(static_cast<std::size_t>(graph.size()));
+  for (int i = 0; i <= newest; ++i) {
+    is_near[i] = (graph.pose(i).p - graph.pose(newest).p).norm() < radius ? 1 : 0;
+  }
+  return is_near;
+}
+
 /// Older keyframes within `radius` [m] of the newest one: all, or those that edges lead to without
 /// leaving the circle.
 std::vector<int> ScanPruner::candidates(const KeyframeGraph& graph, double radius) const {
   const int newest = graph.size() - 1;
-  const auto count = static_cast<std::size_t>(graph.size());
-  std::vector<char> is_near(count);
-  for (int i = 0; i <= newest; ++i) {
-    is_near[i] = (graph.pose(i).p - graph.pose(newest).p).norm() < radius ? 1 : 0;
-  }
+  std::vector<char> is_near = near_newest(graph, radius);
   if (!options_.search_use_tree) is_near = linked_within(graph, is_near);
   std::vector<int> result;
   for (int i = 0; i < newest; ++i) {

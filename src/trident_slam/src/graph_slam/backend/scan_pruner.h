@@ -55,6 +55,7 @@ class ScanPruner {
   static Comparison compare(const View& newest, const Memory& memory, const SE2& T_map_base);
   void update_score(const Overlap& overlap, double readings, int edges, Memory* memory) const;
 
+  static std::vector<char> near_newest(const KeyframeGraph& graph, double radius);
   std::vector<int> candidates(const KeyframeGraph& graph, double radius) const;
   bool is_replaced(const Memory& memory) const;
   Memory& memory_of(const KeyframeGraph& graph, int keyframe);

@@ -39,6 +39,16 @@ double KidnapDetector::fit(const KeyframeGraph& graph, const SurfelMap& surfels,
   return agreement.overlap < options_.min_overlap ? match.inlier_fraction : agreement.ratio;
 }
 
+/// What has been on trial, when that is over and it has fitted all along.
+std::optional<MatchResult> KidnapDetector::end_trial() {
+  if (!hypothesis_ || hypothesis_->path_length < options_.trial_distance ||
+      hypothesis_->scans < options_.trial_scans)
+    return std::nullopt;
+  const PoseHypothesis hypothesis = *std::exchange(hypothesis_, std::nullopt);
+  if (hypothesis.fit < options_.min_fit * hypothesis.scans) return std::nullopt;
+  return hypothesis.match;
+}
+
 /// A pose elsewhere is on trial for some distance and scans while tracking continues; it is
 /// believed only if it fits over the whole trial, since a single scan fits in many places.
 std::optional<MatchResult> KidnapDetector::check(const KeyframeGraph& graph,
@@ -48,12 +58,7 @@ std::optional<MatchResult> KidnapDetector::check(const KeyframeGraph& graph,
   const double own_fit = fit(graph, surfels, scan, own);
   if (hypothesis_) {
     follow(graph, surfels, scan, T_last_base, own_fit, line);
-    if (!hypothesis_ || hypothesis_->path_length < options_.trial_distance ||
-        hypothesis_->scans < options_.trial_scans)
-      return std::nullopt;
-    const PoseHypothesis hypothesis = *std::exchange(hypothesis_, std::nullopt);
-    if (hypothesis.fit < options_.min_fit * hypothesis.scans) return std::nullopt;
-    return hypothesis.match;
+    return end_trial();
   }
   poor_in_a_row_ = own_fit < options_.min_fit ? poor_in_a_row_ + 1 : 0;
   if (poor_in_a_row_ >= options_.poor_scans) {

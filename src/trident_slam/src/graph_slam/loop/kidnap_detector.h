@@ -49,6 +49,7 @@ class KidnapDetector {
               const MatchResult& own, double own_fit, const LineMatchOptions& line);
   void follow(const KeyframeGraph& graph, const SurfelMap& surfels, const PointScan& scan,
               const SE2& T_last_base, double own_fit, const LineMatchOptions& line);
+  std::optional<MatchResult> end_trial();
 
   /// The fraction of a scan's points that fits a pose, of those that could.
   double fit(const KeyframeGraph& graph, const SurfelMap& surfels, const PointScan& scan,

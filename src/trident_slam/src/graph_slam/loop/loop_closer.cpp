@@ -46,9 +46,9 @@ SearchWindow LoopCloser::window_after(double path_length) const {
                    search.max_window_yaw)};
 }
 
-// Of neighboring submaps the nearest one stands for both, as a place comprises its neighbors.
-std::vector<int> LoopCloser::candidates_near(const KeyframeGraph& graph, int submap,
-                                             const std::vector<double>& path_lengths) const {
+// Submaps that may be where a later one is, with their distances from it; the nearest first.
+std::vector<std::pair<double, int>> LoopCloser::places_near(
+    const KeyframeGraph& graph, int submap, const std::vector<double>& path_lengths) const {
   std::vector<std::pair<double, int>> places;
   const Eigen::Vector2d& here = graph.pose(graph.anchor_of(submap)).p;
   for (int s = 0; s < submap; ++s) {
@@ -58,8 +58,14 @@ std::vector<int> LoopCloser::candidates_near(const KeyframeGraph& graph, int sub
     if (distance < options_.search.place_reach + window) places.emplace_back(distance, s);
   }
   std::sort(places.begin(), places.end());
+  return places;
+}
+
+// Of neighboring submaps the nearest one stands for both, as a place comprises its neighbors.
+std::vector<int> LoopCloser::candidates_near(const KeyframeGraph& graph, int submap,
+                                             const std::vector<double>& path_lengths) const {
   std::vector<int> chosen;
-  for (const auto& [distance, s] : places) {
+  for (const auto& [distance, s] : places_near(graph, submap, path_lengths)) {
     const bool is_neighbor =
         std::any_of(chosen.begin(), chosen.end(), [s = s](int c) { return std::abs(c - s) <= 1; });
     if (!is_neighbor) chosen.push_back(s);

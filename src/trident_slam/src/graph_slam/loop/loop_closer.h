@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "graph_slam/backend/keyframe_graph.h"
@@ -56,6 +57,8 @@ class LoopCloser {
                                      double path_length) const;
 
  private:
+  std::vector<std::pair<double, int>> places_near(const KeyframeGraph& graph, int submap,
+                                                  const std::vector<double>& path_lengths) const;
   std::vector<int> candidates_near(const KeyframeGraph& graph, int submap,
                                    const std::vector<double>& path_lengths) const;
   bool is_consistent(const KeyframeGraph& graph, const LoopCandidate& a,

@@ -30,16 +30,24 @@ bool accept(const std::vector<GraphEdge>& loops, const BackEndOptions& options,
 
 }  // namespace
 
+/// Adds the loops that submaps close to the graph.
+std::vector<GraphEdge> LoopWorker::close_loops(const std::vector<int>& submaps,
+                                               KeyframeGraph* graph) {
+  std::vector<GraphEdge> found;
+  for (const int submap : submaps) {
+    const std::vector<GraphEdge> loops =
+        closer_.search(*graph, submap, graph->distances_from(submap));
+    if (loops.empty() || !accept(loops, options_, graph)) continue;
+    found.insert(found.end(), loops.begin(), loops.end());
+  }
+  return found;
+}
+
 /// On a copy of the graph, so that mapping continues meanwhile. Without a new loop nothing is
 /// optimized, and the poses stay as they are.
 LoopOutcome LoopWorker::run(KeyframeGraph graph, const Job& job, double surfel_cell) {
   LoopOutcome outcome{{}, {}, SurfelMap(surfel_cell)};
-  for (const int submap : job.submaps) {
-    const std::vector<GraphEdge> loops =
-        closer_.search(graph, submap, graph.distances_from(submap));
-    if (loops.empty() || !accept(loops, options_, &graph)) continue;
-    outcome.loops.insert(outcome.loops.end(), loops.begin(), loops.end());
-  }
+  outcome.loops = close_loops(job.submaps, &graph);
   if (outcome.loops.empty() && job.realign == Realign::kNo) return outcome;
   if (job.realign == Realign::kEdges) graph.optimize(options_.optimization);
   if (job.realign == Realign::kScans) align_all_keyframes(&graph, options_);

@@ -59,6 +59,7 @@ class LoopWorker {
     Realign realign = Realign::kNo;
   };
 
+  std::vector<GraphEdge> close_loops(const std::vector<int>& submaps, KeyframeGraph* graph);
   LoopOutcome run(KeyframeGraph graph, const Job& job, double surfel_cell);
 
   BackEndOptions options_;
