@@ -117,6 +117,7 @@ class Amcl {
   void note_mean_weight(double mean_weight);
   double random_share() const;
   void resample();
+  bool resample_when_due();
   void make_guide();
   std::size_t chosen(double u) const;
   void push_random_pose(ParticleSet& particles, std::uint64_t number);

@@ -79,22 +79,23 @@ void FusionNode::subscribe(ros::NodeHandle& node) {
     subscribe<trident_msgs::Detection>(
         node, topic, [this, topic](const auto& message) { on_detection(topic, message); });
   }
-  for (const FusionRangeParams& range : params_.ranges) {
-    const std::size_t robot = index_of(range.robot), other = index_of(range.other);
-    subscribe<sensor_msgs::Range>(node, range.topic, [=](const sensor_msgs::Range& message) {
-      const SimTime stamp = checked_stamp(message.header, ros::Time::now());
-      const double value = static_cast<double>(message.range);
-      if (!(value >= 0.0 && value <= ros_utils::kFarthestM)) {
-        throw Error("range is " + number_text(value) + " m, legal: in [0, 1e+08]");
-      }
-      fusion_.add(
-          radio_range({stamp, range.topic}, robot, other, value, range.sigma * range.sigma));
-    });
-  }
+  for (const FusionRangeParams& range : params_.ranges) subscribe_range(node, range);
   if (!params_.fused) return;
   for (const char* topic : {"/tf", "/tf_static"}) {
     subscribers_.push_back(node.subscribe(topic, kQueue, &FusionNode::on_transforms, this));
   }
+}
+
+void FusionNode::subscribe_range(ros::NodeHandle& node, const FusionRangeParams& range) {
+  const std::size_t robot = index_of(range.robot), other = index_of(range.other);
+  subscribe<sensor_msgs::Range>(node, range.topic, [=](const sensor_msgs::Range& message) {
+    const SimTime stamp = checked_stamp(message.header, ros::Time::now());
+    const double value = static_cast<double>(message.range);
+    if (!(value >= 0.0 && value <= ros_utils::kFarthestM)) {
+      throw Error("range is " + number_text(value) + " m, legal: in [0, 1e+08]");
+    }
+    fusion_.add(radio_range({stamp, range.topic}, robot, other, value, range.sigma * range.sigma));
+  });
 }
 
 void FusionNode::subscribe(ros::NodeHandle& node, std::size_t robot) {
@@ -192,9 +193,11 @@ void FusionNode::on_pose(const std::string& topic, std::size_t robot, const std:
       {stamp, topic}, robot, T_map_base,
       known.matrix.size() == 0 ? default_covariance(own, known.rows) : known.matrix, known.rows));
   if (own.waterline) add_waterline(stamp, robot);
-  if (!heard_[robot] || message.header.stamp > *heard_[robot]) {
-    heard_[robot] = message.header.stamp;
-  }
+  note_heard(robot, message.header.stamp);
+}
+
+void FusionNode::note_heard(std::size_t robot, const ros::Time& stamp) {
+  if (!heard_[robot] || stamp > *heard_[robot]) heard_[robot] = stamp;
 }
 
 void FusionNode::add_waterline(SimTime stamp, std::size_t robot) {
@@ -263,14 +266,20 @@ void FusionNode::update() {
   if (belief) output_.publish(now, *belief, heard_);
 }
 
-void FusionNode::note_outcomes(const std::vector<Outcome>& outcomes) {
-  for (const Outcome& outcome : outcomes) {
-    if (outcome.kind == Outcome::Kind::kRefused) refusals_.note("measurement", outcome.reason);
-  }
+/// Sources whose covariances are not believed, sorted.
+std::vector<std::string> FusionNode::accused_sources() const {
   std::vector<std::string> accused;
   for (const auto& [source, report] : fusion_.reports()) {
     if (report.trust.inflation > 1.0) accused.push_back(source);
   }
+  return accused;
+}
+
+void FusionNode::note_outcomes(const std::vector<Outcome>& outcomes) {
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.kind == Outcome::Kind::kRefused) refusals_.note("measurement", outcome.reason);
+  }
+  std::vector<std::string> accused = accused_sources();
   for (const std::string& source : accused) {
     if (std::binary_search(accused_.begin(), accused_.end(), source)) continue;
     refusals_.note(source + " covariance",

@@ -128,26 +128,30 @@ void ScanInput::hand_out() {
   while (!waiting_.empty() && try_first()) waiting_.pop_front();
 }
 
+/// False: the transform at the scan's end may still come. Throws tf2's exceptions and Error.
+bool ScanInput::place(const sensor_msgs::LaserScan& message, double waited, PlacedScan& placed) {
+  placed.stamp = message.header.stamp;
+  const Laser& mounted = laser(message.header.frame_id);
+  fill_scan(message, mounted.is_upside_down, placed.scan);
+  placed.scan.T_base_laser = mounted.T_base_laser;
+  placed.T_odom_base = T_odom_base(placed.stamp);
+  const double lasts =
+      static_cast<double>(message.time_increment) * static_cast<double>(message.ranges.size());
+  if (!(lasts > 0.0)) return true;
+  const ros::Time end = placed.stamp + ros::Duration(lasts);
+  const bool is_known = buffer_.canTransform(params_.odom_frame_id, params_.base_frame_id, end);
+  if (!is_known && waited < kForEndOfScan) return false;
+  if (is_known) placed.T_start_end = placed.T_odom_base.inverse() * T_odom_base(end);
+  return true;
+}
+
 /// True: the first one is done with.
 bool ScanInput::try_first() {
   Waiting& waiting = waiting_.front();
-  const sensor_msgs::LaserScan& message = *waiting.message;
   const double waited = (ros::WallTime::now() - waiting.since).toSec();
   PlacedScan placed;
-  placed.stamp = message.header.stamp;
   try {
-    const Laser& mounted = laser(message.header.frame_id);
-    fill_scan(message, mounted.is_upside_down, placed.scan);
-    placed.scan.T_base_laser = mounted.T_base_laser;
-    placed.T_odom_base = T_odom_base(placed.stamp);
-    const double lasts =
-        static_cast<double>(message.time_increment) * static_cast<double>(message.ranges.size());
-    if (lasts > 0.0) {
-      const ros::Time end = placed.stamp + ros::Duration(lasts);
-      const bool is_known = buffer_.canTransform(params_.odom_frame_id, params_.base_frame_id, end);
-      if (!is_known && waited < kForEndOfScan) return false;
-      if (is_known) placed.T_start_end = placed.T_odom_base.inverse() * T_odom_base(end);
-    }
+    if (!place(*waiting.message, waited, placed)) return false;
   } catch (const tf2::TransformException& error) {
     const double waited_ros = (ros::Time::now() - waiting.since_ros).toSec();
     const ScanPatience patience = scan_patience(waited, waited_ros);
@@ -161,36 +165,44 @@ bool ScanInput::try_first() {
   return true;
 }
 
+/// What is to be said of a transform that the scan waits for; nothing: it has come, or is static.
+std::optional<ScanInput::Problem> ScanInput::missing_transform(const std::string& target,
+                                                               const std::string& source,
+                                                               const std_msgs::Header& scan) const {
+  const std::string name = target + " -> " + source;
+  try {
+    const ros::Time newest = buffer_.lookupTransform(target, source, ros::Time(0)).header.stamp;
+    if (newest.isZero() || newest >= scan.stamp)
+      return std::nullopt;  // static, or not the late one
+    return Problem{"transform late", "transform " + name + " is " +
+                                         fixed((scan.stamp - newest).toSec()) +
+                                         " s late for the scan of " + scan.frame_id + " at " +
+                                         fixed(scan.stamp.toSec()) + " s; the scan waits"};
+  } catch (const tf2::TransformException& error) {
+    return Problem{"transform missing", "no transform " + name + " for the scan of " +
+                                            scan.frame_id + ": " + error.what()};
+  }
+}
+
 // Once for each scan. False: what is missing can no longer come.
 bool ScanInput::note_missing(Waiting& waiting, const std::string& reason) {
   const bool is_reported = std::exchange(waiting.is_reported, true);
-  const std::string& laser = waiting.message->header.frame_id;
-  const ros::Time stamp = waiting.message->header.stamp;
-  for (const auto& [target, source] :
-       {std::pair{params_.base_frame_id, laser}, {params_.odom_frame_id, params_.base_frame_id}}) {
-    const std::string name = target + " -> " + source;
-    try {
-      const ros::Time newest = buffer_.lookupTransform(target, source, ros::Time(0)).header.stamp;
-      if (newest.isZero() || newest >= stamp) continue;  // static, or not the late one
-      if (!is_reported)
-        problems_.note("transform late", "transform " + name + " is " +
-                                             fixed((stamp - newest).toSec()) +
-                                             " s late for the scan of " + laser + " at " +
-                                             fixed(stamp.toSec()) + " s; the scan waits");
-      return true;
-    } catch (const tf2::TransformException& error) {
-      if (!is_reported)
-        problems_.note("transform missing",
-                       "no transform " + name + " for the scan of " + laser + ": " + error.what());
-      return true;
-    }
+  const std_msgs::Header& scan = waiting.message->header;
+  const auto report = [&](const Problem& problem) {
+    if (!is_reported) problems_.note(problem.key, problem.text);
+  };
+  for (const auto& [target, source] : {std::pair{params_.base_frame_id, scan.frame_id},
+                                       {params_.odom_frame_id, params_.base_frame_id}}) {
+    const std::optional<Problem> problem = missing_transform(target, source, scan);
+    if (!problem) continue;
+    report(*problem);
+    return true;
   }
   // Transforms come in a thread of their own: it may have come just now.
-  if (buffer_.canTransform(params_.odom_frame_id, params_.base_frame_id, stamp)) return true;
-  if (!is_reported)
-    problems_.note("scan too old", "scan of " + laser + " at " + fixed(stamp.toSec()) +
-                                       " s is older than what tf keeps" +
-                                       (reason.empty() ? "" : ": " + reason));
+  if (buffer_.canTransform(params_.odom_frame_id, params_.base_frame_id, scan.stamp)) return true;
+  report({"scan too old", "scan of " + scan.frame_id + " at " + fixed(scan.stamp.toSec()) +
+                              " s is older than what tf keeps" +
+                              (reason.empty() ? "" : ": " + reason)});
   return false;
 }
 

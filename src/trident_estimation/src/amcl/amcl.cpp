@@ -46,11 +46,15 @@ bool is_finite(const SE2& T) {
   return std::abs(T.p.x()) <= kFarthest && std::abs(T.p.y()) <= kFarthest && std::isfinite(T.angle);
 }
 
+bool is_placed(const LaserScan& scan) {
+  return std::isfinite(scan.angle_min) && std::isfinite(scan.angle_increment) &&
+         is_finite(scan.T_base_laser);
+}
+
 /// What is wrong with a scan; empty if nothing.
 std::string problem_of(const LaserScan& scan, const SE2& T_odom_base) {
   if (!is_finite(T_odom_base)) return "odometry is not finite; the scan is not used";
-  const bool has_angles = std::isfinite(scan.angle_min) && std::isfinite(scan.angle_increment);
-  if (!has_angles || !is_finite(scan.T_base_laser)) {
+  if (!is_placed(scan)) {
     return "the scan's angles or its laser's place are not finite; it is not used";
   }
   if (!(scan.range_max > 0.0) || !std::isfinite(scan.range_max)) {
@@ -196,12 +200,16 @@ AmclStep Amcl::update(const LaserScan& scan, const SE2& T_odom_base, const SE2& 
   particles_.normalize();
   update_estimate();
   recover(beams, step);
-  if (++resampling_.updates_since >= params_.resample_interval) {
-    resample();
-    resampling_.updates_since = 0;
-    step.is_resampled = true;
-  }
+  step.is_resampled = resample_when_due();
   return step;
+}
+
+/// Whether it was.
+bool Amcl::resample_when_due() {
+  if (++resampling_.updates_since < params_.resample_interval) return false;
+  resample();
+  resampling_.updates_since = 0;
+  return true;
 }
 
 /// Augmented MCL ("Probabilistic Robotics", table 8.3).

@@ -60,6 +60,16 @@ Eigen::MatrixXd widened(const Eigen::MatrixXd& P, const Measurement& measurement
   return result;
 }
 
+// Gates a measurement that is farther from what is expected than its gate.
+void apply_gate(const Measurement& measurement, Outcome& outcome) {
+  if (!measurement.gate) return;
+  if (!(outcome.normalized_squared > *measurement.gate * *measurement.gate)) return;
+  outcome.kind = Outcome::Kind::kGated;
+  outcome.reason = measurement.source + ": Mahalanobis distance " +
+                   number_text(std::sqrt(outcome.normalized_squared)) + ", the gate is " +
+                   number_text(*measurement.gate);
+}
+
 // What is to become of it, if the correction is finite.
 Outcome judged(const Update& update) {
   const Measurement& measurement = update.measurement;
@@ -73,12 +83,7 @@ Outcome judged(const Update& update) {
   }
   outcome.normalized_squared = outcome.innovation.dot(S.solve(outcome.innovation));
   outcome.kind = Outcome::Kind::kUsed;
-  if (measurement.gate && outcome.normalized_squared > *measurement.gate * *measurement.gate) {
-    outcome.kind = Outcome::Kind::kGated;
-    outcome.reason = measurement.source + ": Mahalanobis distance " +
-                     number_text(std::sqrt(outcome.normalized_squared)) + ", the gate is " +
-                     number_text(*measurement.gate);
-  }
+  apply_gate(measurement, outcome);
   return outcome;
 }
 
@@ -176,13 +181,9 @@ Outcome Filter::update(const Measurement& measurement, double inflation, double 
   update.noise = update.expected.unexplained + inflation * measurement.R;
   Outcome outcome = judged(update);
   if (outcome.kind != Outcome::Kind::kUsed) return outcome;
-  std::optional<Correction> correction;
-  if (measurement.is_shared) {
-    correction = intersected(update);
-    if (!correction) return outcome;  // it brings nothing that is not in the belief
-  } else {
-    correction = corrected(update, outcome);
-  }
+  const std::optional<Correction> correction =
+      measurement.is_shared ? intersected(update) : corrected(update, outcome);
+  if (!correction) return outcome;  // it brings nothing that is not in the belief
   if (move(correction->moved, correction->covariance)) return outcome;
   return refused(measurement, "it would lead to a state that is not finite");
 }

@@ -68,6 +68,18 @@ Outcome History::add(Measurement measurement) {
   return add_all(std::move(one)).front();
 }
 
+// Those of new entries, from one on. Whether any was refused.
+bool History::take_outcomes(std::size_t first, std::vector<Outcome>& outcomes) {
+  bool is_any_refused = false;
+  for (std::size_t i = first; i < entries_.size(); ++i) {
+    if (entries_[i].arrival == kNotNew) continue;
+    outcomes[entries_[i].arrival] = entries_[i].outcome;
+    entries_[i].arrival = kNotNew;
+    is_any_refused = is_any_refused || entries_[i].outcome.kind == Outcome::Kind::kRefused;
+  }
+  return is_any_refused;
+}
+
 std::vector<Outcome> History::add_all(std::vector<Measurement> measurements) {
   std::vector<Outcome> outcomes(measurements.size());
   std::size_t first = entries_.size();
@@ -81,14 +93,7 @@ std::vector<Outcome> History::add_all(std::vector<Measurement> measurements) {
     first = std::min(first, insert(std::move(measurements[i]), i));
   }
   filter_again(first);
-  bool is_any_refused = false;
-  for (std::size_t i = first; i < entries_.size(); ++i) {
-    if (entries_[i].arrival == kNotNew) continue;
-    outcomes[entries_[i].arrival] = entries_[i].outcome;
-    entries_[i].arrival = kNotNew;
-    is_any_refused = is_any_refused || entries_[i].outcome.kind == Outcome::Kind::kRefused;
-  }
-  if (is_any_refused) drop_refused(first);
+  if (take_outcomes(first, outcomes)) drop_refused(first);
   drop_old();
   return outcomes;
 }

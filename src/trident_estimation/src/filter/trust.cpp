@@ -34,6 +34,13 @@ double normal_quantile(double share) {
   return low;
 }
 
+// More where its newest measurement was too far, less where it was not.
+void inflate(bool is_far, Trust::Source& source) {
+  const double step = source.share > kNearlyAll ? kLargeStep : kStep;
+  source.inflation *= std::exp(is_far ? step : -step);
+  source.inflation = std::clamp(source.inflation, 1.0, kMaxInflation);
+}
+
 }  // namespace
 
 double gate_of(double share, Eigen::Index size) {
@@ -62,6 +69,14 @@ double Trust::widening(std::size_t source) const {
   return std::ldexp(1.0, 2 * std::clamp(over, 0, kMaxFourfold));
 }
 
+// Whether a source's covariances are too small, or are inflated since they have been.
+bool Trust::is_accused(const Source& source) const {
+  const bool is_worst =
+      std::all_of(sources_.begin(), sources_.end(),
+                  [&source](const Source& other) { return other.share <= source.share; });
+  return source.inflation > 1.0 || (source.share > params_.too_far && is_worst);
+}
+
 void Trust::note(std::size_t source, const Outcome& outcome) {
   if (outcome.kind == Outcome::Kind::kRefused) return;
   if (source >= sources_.size()) sources_.resize(source + 1);
@@ -69,14 +84,7 @@ void Trust::note(std::size_t source, const Outcome& outcome) {
   Source& own = sources_[source];
   own.gated_in_row = outcome.kind == Outcome::Kind::kGated ? own.gated_in_row + 1 : 0;
   own.share += ((is_far ? 1.0 : 0.0) - own.share) / params_.memory;
-  const bool is_worst = std::all_of(sources_.begin(), sources_.end(), [&own](const Source& other) {
-    return other.share <= own.share;
-  });
-  const bool is_caught = own.share > params_.too_far && is_worst;
-  if (own.inflation <= 1.0 && !is_caught) return;
-  const double step = own.share > kNearlyAll ? kLargeStep : kStep;
-  own.inflation *= std::exp(is_far ? step : -step);
-  own.inflation = std::clamp(own.inflation, 1.0, kMaxInflation);
+  if (is_accused(own)) inflate(is_far, own);
 }
 
 }  // namespace trident::estimation

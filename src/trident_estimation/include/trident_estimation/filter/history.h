@@ -62,6 +62,7 @@ class History {
   std::size_t number_of(const std::string& source);
   std::size_t insert(Measurement measurement, std::size_t arrival);
   void filter_again(std::size_t first);
+  bool take_outcomes(std::size_t first, std::vector<Outcome>& outcomes);
   void drop_refused(std::size_t first);
   void drop_old();
 

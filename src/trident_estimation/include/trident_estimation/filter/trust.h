@@ -49,6 +49,8 @@ class Trust {
   const std::vector<Source>& sources() const { return sources_; }
 
  private:
+  bool is_accused(const Source& source) const;
+
   TrustParams params_;
   std::vector<Source> sources_;
 };

@@ -46,6 +46,7 @@ class FusionNode {
   template <class Message>
   void subscribe(ros::NodeHandle& node, const std::string& topic,
                  std::function<void(const Message&)> take);
+  void subscribe_range(ros::NodeHandle& node, const FusionRangeParams& range);
   std::size_t index_of(const std::string& name) const;
 
   void on_pose(const std::string& topic, std::size_t robot, const std::string& type,
@@ -55,7 +56,9 @@ class FusionNode {
   void on_detection(const std::string& topic, const trident_msgs::Detection& detection);
   void on_transforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event);
   void add_waterline(SimTime stamp, std::size_t robot);
+  void note_heard(std::size_t robot, const ros::Time& stamp);
   void update();
+  std::vector<std::string> accused_sources() const;
   void note_outcomes(const std::vector<Outcome>& outcomes);
   void publish_reports();
   std::string pose_topics_of(const std::string& name) const;

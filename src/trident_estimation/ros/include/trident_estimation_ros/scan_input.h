@@ -9,6 +9,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "trident_base/laser_scan.h"
@@ -69,11 +70,18 @@ class ScanInput {
     SE2 T_base_laser;
     bool is_upside_down;  ///< its beams run in the other direction
   };
+  /// As it is counted and said.
+  struct Problem {
+    std::string key, text;
+  };
   void receive(const sensor_msgs::LaserScanConstPtr& message);
   void hand_out();
   bool try_first();
+  bool place(const sensor_msgs::LaserScan& message, double waited, PlacedScan& placed);
   bool is_refused(const sensor_msgs::LaserScan& message);
   const Laser& laser(const std::string& frame);
+  std::optional<Problem> missing_transform(const std::string& target, const std::string& source,
+                                           const std_msgs::Header& scan) const;
   bool note_missing(Waiting& waiting, const std::string& reason);
   SE2 looked_up(const std::string& target, const std::string& source, const ros::Time& stamp) const;
 
