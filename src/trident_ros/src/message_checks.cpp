@@ -79,23 +79,34 @@ std::string transform_problem(const geometry_msgs::TransformStamped& transform) 
                          : problem;
 }
 
-std::string scan_problem(const sensor_msgs::LaserScan& scan) {
-  if (scan.ranges.empty()) return "ranges: no beam, legal: at least 1";
-  std::string problem = number_problem(scan.angle_min, kLargestAngle, "angle_min");
-  if (problem.empty()) {
-    problem = number_problem(scan.angle_increment, kLargestAngle, "angle_increment");
-  }
-  if (!problem.empty()) return problem;
-  if (!(scan.range_max > 0.0F) || !(scan.range_min < scan.range_max)) {
-    return "range_min " + number_text(scan.range_min) + " m, range_max " +
-           number_text(scan.range_max) + " m, legal: 0 <= range_min < range_max";
-  }
+namespace {
+
+std::string angles_problem(const sensor_msgs::LaserScan& scan) {
+  const std::string problem = number_problem(scan.angle_min, kLargestAngle, "angle_min");
+  return problem.empty() ? number_problem(scan.angle_increment, kLargestAngle, "angle_increment")
+                         : problem;
+}
+
+std::string sweep_problem(const sensor_msgs::LaserScan& scan) {
   const double lasts =
       static_cast<double>(scan.time_increment) * static_cast<double>(scan.ranges.size());
   if (std::isnan(lasts) || std::abs(lasts) <= kLongestSweepS) return "";
   return "time_increment is " + number_text(scan.time_increment) + " s for " +
          std::to_string(scan.ranges.size()) + " beams, legal: a sweep of up to " +
          number_text(kLongestSweepS) + " s";
+}
+
+}  // namespace
+
+std::string scan_problem(const sensor_msgs::LaserScan& scan) {
+  if (scan.ranges.empty()) return "ranges: no beam, legal: at least 1";
+  std::string of_angles = angles_problem(scan);
+  if (!of_angles.empty()) return of_angles;
+  if (!(scan.range_max > 0.0F) || !(scan.range_min < scan.range_max)) {
+    return "range_min " + number_text(scan.range_min) + " m, range_max " +
+           number_text(scan.range_max) + " m, legal: 0 <= range_min < range_max";
+  }
+  return sweep_problem(scan);
 }
 
 std::string quoted(const std::string& text) {

@@ -94,6 +94,15 @@ bool is_whole_number(const std::string& text) {
   return !text.empty() && *end == '\0';
 }
 
+/// A flag as the text of a parameter.
+const char* flag_text(bool flag) { return flag ? "true" : "false"; }
+
+bool wants_first_values(const Config& request) {
+  return std::any_of(request.bools.begin(), request.bools.end(), [](const auto& flag) {
+    return flag.name == kRestore && static_cast<bool>(flag.value);
+  });
+}
+
 template <class Parameter, class Value>
 Parameter named(const std::string& name, const Value& value) {
   Parameter result;
@@ -203,7 +212,7 @@ void ReconfigureTable::put(const Entry& entry, const std::string& text, Config* 
   if (entry.field.kind == Kind::kBool) {
     const auto flag = static_cast<std::uint8_t>(is_true(text));
     config->bools.push_back(named<dynamic_reconfigure::BoolParameter>(name, flag));
-  } else if (entry.field.kind == Kind::kWhole || entry.is_number_of_choice) {
+  } else if (entry.is_whole()) {
     const std::int32_t value = whole(number_of(text));
     config->ints.push_back(named<dynamic_reconfigure::IntParameter>(name, value));
   } else if (entry.field.kind == Kind::kNumber) {
@@ -227,9 +236,8 @@ dynamic_reconfigure::ConfigDescription ReconfigureTable::description() const {
   group.name = kGroup;
   for (const Entry& entry : entries_) {
     const ConfigField& field = entry.field;
-    const bool is_whole = field.kind == Kind::kWhole || entry.is_number_of_choice;
-    const bool has_ends = is_whole || field.kind == Kind::kNumber;
-    group.parameters.push_back(described(field, is_whole, entry.is_number_of_choice));
+    const bool has_ends = entry.is_whole() || field.kind == Kind::kNumber;
+    group.parameters.push_back(described(field, entry.is_whole(), entry.is_number_of_choice));
     put(entry, has_ends ? number_text(entry.lo) : "", &result.min);
     put(entry,
         has_ends                    ? number_text(entry.hi)
@@ -249,13 +257,11 @@ void ReconfigureTable::take_number(const std::string& name, double value, Config
   const Entry* const entry = find(name, notes);
   if (entry == nullptr) return;
   const ConfigField& field = entry->field;
-  if (field.kind == Kind::kBool)
-    return take_text(name, value != 0.0 ? "true" : "false", values, notes);
+  if (field.kind == Kind::kBool) return take_text(name, flag_text(value != 0.0), values, notes);
   if (std::isnan(value) && field.is_optional) return erase_value(values, name);
   const double legal = nearest_legal(field, value, notes);
-  const bool is_whole = field.kind == Kind::kWhole || entry->is_number_of_choice;
-  set_value(values, name,
-            scalar_node(is_whole ? std::to_string(whole(legal)) : number_text(legal), false));
+  const std::string text = entry->is_whole() ? std::to_string(whole(legal)) : number_text(legal);
+  set_value(values, name, scalar_node(text, false));
 }
 
 void ReconfigureTable::take_text(const std::string& name, const std::string& value,
@@ -266,13 +272,10 @@ void ReconfigureTable::take_text(const std::string& name, const std::string& val
 }
 
 ConfigNode ReconfigureTable::changed(const Config& request, std::vector<std::string>* notes) const {
-  const bool is_restored = std::any_of(
-      request.bools.begin(), request.bools.end(),
-      [](const auto& flag) { return flag.name == kRestore && static_cast<bool>(flag.value); });
-  if (is_restored) return first_;
+  if (wants_first_values(request)) return first_;
   ConfigNode result = values_;
   for (const auto& flag : request.bools) {
-    take_text(flag.name, static_cast<bool>(flag.value) ? "true" : "false", &result, notes);
+    take_text(flag.name, flag_text(static_cast<bool>(flag.value)), &result, notes);
   }
   for (const auto& number : request.ints) take_number(number.name, number.value, &result, notes);
   for (const auto& number : request.doubles) take_number(number.name, number.value, &result, notes);

@@ -43,6 +43,9 @@ class ReconfigureTable {
     ConfigField field;
     bool is_number_of_choice = false;  ///< A choice among whole numbers, which are sent as such.
     double lo = 0.0, hi = 0.0;         ///< Of a number, as they are published.
+
+    /// Whether it is sent as a whole number.
+    bool is_whole() const { return field.kind == ConfigField::Kind::kWhole || is_number_of_choice; }
   };
 
   static Entry entry_of(const ConfigField& field);
