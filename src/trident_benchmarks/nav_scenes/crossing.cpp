@@ -57,10 +57,7 @@ class Crossing {
     const TrialConfig& trial = config_.trial;
     while (!is_over_ && drive_.time_s() < trial.settle_s + trial.time_limit_s) {
       if (drive_.time_s() >= walked_s_ + kWalkPeriod_s) walk();
-      if (!has_goal_ && drive_.time_s() >= trial.settle_s) {
-        drive_.set_goal(pose_of(trial.goal));
-        has_goal_ = true;
-      }
+      if (!has_goal_) begin_when_settled();
       const auto output = drive_.step();
       note_contacts();
       if (output) note(*output);
@@ -72,6 +69,12 @@ class Crossing {
   }
 
  private:
+  void begin_when_settled() {
+    if (drive_.time_s() < config_.trial.settle_s) return;
+    drive_.set_goal(pose_of(config_.trial.goal));
+    has_goal_ = true;
+  }
+
   void spawn_walkers() {
     sim::World& world = drive_.robot().world();
     sim::SpawnRequest request;
@@ -101,15 +104,18 @@ class Crossing {
     }
   }
 
+  bool involves_robot(const sim::Contact& contact) const {
+    const std::string own = config_.trial.robot_name + "::";
+    return contact.geom1->scoped_name().compare(0, own.size(), own) == 0 ||
+           contact.geom2->scoped_name().compare(0, own.size(), own) == 0;
+  }
+
   void note_contacts() {
     for (const sim::Contact& contact : drive_.robot().world().contacts()) {
+      if (!involves_robot(contact)) continue;
       const std::string &first = contact.geom1->scoped_name(),
                         &second = contact.geom2->scoped_name();
       const int walker = std::max(walker_of(first), walker_of(second));
-      const std::string own = config_.trial.robot_name + "::";
-      const bool is_own =
-          first.compare(0, own.size(), own) == 0 || second.compare(0, own.size(), own) == 0;
-      if (!is_own) continue;
       if (walker >= 0) {
         touch(static_cast<std::size_t>(walker), contact.p_world);
       } else if (result_.wall.empty() && !is_pushed()) {

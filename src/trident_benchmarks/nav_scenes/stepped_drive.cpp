@@ -31,21 +31,28 @@ nav::Pose2 SteppedDrive::pose() const {
   return {c * dx + s * dy, c * dy - s * dx, nav::wrap_angle(truth.yaw - start_.yaw)};
 }
 
-std::optional<nav::NavigatorOutput> SteppedDrive::step() {
+void SteppedDrive::send_commands() {
   while (!underway_.empty() && underway_.front().due_s <= time_s()) {
     robot_.command(underway_.front().twist);
     underway_.pop_front();
   }
-  robot_.step();
+}
+
+void SteppedDrive::hand_over_scan() {
   auto scan = robot_.take_scan();
-  if (scan && is_lidar_on_) {
-    if (is_localized_) {
-      const SE3 T_true_odom = planar(pose()) * planar(robot_.odometry().pose()).inverse();
-      scan->T_odom_laser = T_true_odom * scan->T_odom_laser;
-      scan->T_odom_laser_end = T_true_odom * scan->T_odom_laser_end;
-    }
-    stack_.add_scan(*scan);
+  if (!scan || !is_lidar_on_) return;
+  if (is_localized_) {
+    const SE3 T_true_odom = planar(pose()) * planar(robot_.odometry().pose()).inverse();
+    scan->T_odom_laser = T_true_odom * scan->T_odom_laser;
+    scan->T_odom_laser_end = T_true_odom * scan->T_odom_laser_end;
   }
+  stack_.add_scan(*scan);
+}
+
+std::optional<nav::NavigatorOutput> SteppedDrive::step() {
+  send_commands();
+  robot_.step();
+  hand_over_scan();
   if (!stack_.is_control_due(time_s())) return std::nullopt;
   const double begin_s = thread_cpu_s();
   const auto& odometry = robot_.odometry();

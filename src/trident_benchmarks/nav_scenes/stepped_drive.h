@@ -44,6 +44,8 @@ class SteppedDrive {
   };
 
   nav::Pose2 pose() const;
+  void send_commands();
+  void hand_over_scan();
 
   nav::Pose2 start_;
   double command_delay_s_;

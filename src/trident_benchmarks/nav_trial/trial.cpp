@@ -116,15 +116,22 @@ class Trial {
     result_.localization_error_m = std::max(result_.localization_error_m, error_m);
   }
 
-  void judge() {
-    const nav::Pose2 truth = robot_.truth();
+  void note_track(const nav::Pose2& truth) {
     if (moved_s_ < 0.0 && between(truth, pose_of(config_.start)) >= config_.moved_m) {
       moved_s_ = robot_.time_s();
     }
     const bool is_new =
         result_.track.empty() || between(truth, result_.track.back()) >= config_.track_step_m;
     if (is_new) result_.track.push_back(truth);
-    if (!is_driving_) return;
+  }
+
+  void judge() {
+    const nav::Pose2 truth = robot_.truth();
+    note_track(truth);
+    if (is_driving_) judge_goal(truth);
+  }
+
+  void judge_goal(const nav::Pose2& truth) {
     GoalResult& tried = result_.goals.back();
     if (tried.touched.empty()) tried.touched = robot_.touched();
     if (!tried.touched.empty() && config_.ends_at_contact) {
@@ -153,6 +160,10 @@ class Trial {
     result_.least_speed_m_s = std::min(result_.least_speed_m_s, odometry.twist().vx);
     if (!is_driving_) return;
     commands_.push_back({now_s + config_.command_delay_s, output.twist});
+    note(output);
+  }
+
+  void note(const nav::NavigatorOutput& output) {
     if (output.recovery) {
       result_.recoveries.push_back(output.recovery->name + ": " + output.recovery->cause);
       ++result_.goals.back().recoveries;
