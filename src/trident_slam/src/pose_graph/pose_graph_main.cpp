@@ -133,7 +133,7 @@ void check_combination(const Settings& settings) {
   if (settings.is_ceres && is_graduated) throw Error("--robust gnc needs --solver trident");
 }
 
-/// Options without a value; false: it is none of them.
+/// Takes an option that has no value; false: it has one, or is unknown.
 bool take_flag(const std::string& name, Settings& settings) {
   if (name != kStrict && name != kIncremental) return false;
   (name == kStrict ? settings.is_strict : settings.is_incremental) = true;

@@ -41,7 +41,7 @@ typename StepSearch<Group>::Outcome StepSearch<Group>::outcome_of(double promise
   return is_negligible(promised) ? Outcome::kConverged : Outcome::kMoved;
 }
 
-/// Goes on from where a step raised the cost.
+/// Continues from poses whose cost is higher.
 template <class Group>
 typename StepSearch<Group>::Outcome StepSearch<Group>::accept_worse() {
   has_rejected_ = true;
