@@ -4,6 +4,7 @@
 find_package(Eigen3 REQUIRED)
 trident_bridges_room(autopilot
   src/autopilot/autopilot.cpp
+  src/autopilot/autopilot_arming.cpp
   src/autopilot/autopilot_requests.cpp
   src/autopilot/drive_guide.cpp
   src/autopilot/fence.cpp

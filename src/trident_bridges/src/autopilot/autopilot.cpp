@@ -63,18 +63,8 @@ Answer Autopilot::load_mission(std::vector<MissionItem> items) {
 
 Answer Autopilot::load_fence(std::vector<Fence::Region> regions) {
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    const std::string where = "fence region " + std::to_string(i) + ": ";
-    const auto& corners = regions[i].corners_m;
-    if (!corners.empty() && corners.size() < 3) {
-      return denied(where + std::to_string(corners.size()) + " corners, legal: 3 or more");
-    }
-    for (const auto& corner : corners) {
-      if (!corner.allFinite()) return denied(where + "a corner is not finite");
-    }
-    if (corners.empty() && !(regions[i].radius_m > 0.0 && regions[i].center_m.allFinite())) {
-      return denied(where + "radius " + number_text(regions[i].radius_m) +
-                    " m, legal: above 0, around a finite center");
-    }
+    const std::string problem = problem_of(regions[i]);
+    if (!problem.empty()) return denied("fence region " + std::to_string(i) + ": " + problem);
   }
   fence_.regions = std::move(regions);
   return {};
@@ -97,19 +87,30 @@ Setpoint Autopilot::step(SimTime now, const VehicleState& state) {
     drive_.rest();
     return setpoint_ = Setpoint();
   }
-  advance(now);
-  drive_.expire(state_, now);
-  setpoint_ = flies() ? flight_.step(now, state_) : drive_.setpoint();
-  if (flies()) end_landing(now);
+  guide(now);
   return setpoint_;
 }
 
+/// An armed vehicle's step.
+void Autopilot::guide(SimTime now) {
+  advance(now);
+  drive_.expire(state_, now);
+  if (!flies()) {
+    setpoint_ = drive_.setpoint();
+    return;
+  }
+  setpoint_ = flight_.step(now, state_);
+  end_landing(now);
+}
+
+/// One that lands or returns already is left alone, and never kept from landing.
+bool Autopilot::is_left_alone(Mode wanted) const {
+  const bool is_ending = mode_ == Mode::kLand || (mode_ == Mode::kReturn && wanted != Mode::kLand);
+  return is_ending && wanted != Mode::kPosition && wanted != Mode::kManual;
+}
+
 void Autopilot::act(const FailsafeAction& action, SimTime now) {
-  // One that lands or returns already is left alone, and never kept from landing.
-  const bool is_ending =
-      mode_ == Mode::kLand || (mode_ == Mode::kReturn && action.mode != Mode::kLand);
-  if (!action.mode ||
-      (is_ending && action.mode != Mode::kPosition && action.mode != Mode::kManual)) {
+  if (!action.mode || is_left_alone(*action.mode)) {
     report(kSeverityWarning, "Failsafe: " + action.text + ".");
     return;
   }

@@ -10,66 +10,21 @@
 namespace trident::bridges {
 namespace {
 
-constexpr double kOldPosition_s = 1.0;
-constexpr double kSettled_m = 1.0;  // standard deviation of the place
-constexpr double kStanding_m_s = 0.5;
 constexpr double kGreatestHeight_m = 1000.0;
 
+template <typename Vector>
+bool is_finite(const std::optional<Vector>& vector) {
+  return !vector || vector->allFinite();
+}
+
+bool is_finite(const std::optional<double>& number) { return std::isfinite(number.value_or(0.0)); }
+
+template <typename... Parts>
+bool are_finite(const Parts&... parts) {
+  return (is_finite(parts) && ...);
+}
+
 }  // namespace
-
-std::vector<std::string> Autopilot::arming_problems(SimTime now) const {
-  std::vector<std::string> problems;
-  if (!state_.position_stamp) {
-    problems.emplace_back("position: none has come");
-  } else if ((now - *state_.position_stamp).seconds() > kOldPosition_s) {
-    problems.push_back("position: " + number_text((now - *state_.position_stamp).seconds()) +
-                       " s old, limit " + number_text(kOldPosition_s) + " s");
-  }
-  if (!(state_.position_stddev_m <= kSettled_m)) {
-    problems.push_back("estimator: standard deviation " + number_text(state_.position_stddev_m) +
-                       " m, limit " + number_text(kSettled_m) + " m");
-  }
-  if (state_.battery < limits_.arming_battery) {
-    problems.push_back("battery: " + percent_text(state_.battery) + ", limit " +
-                       percent_text(limits_.arming_battery));
-  }
-  if (limits_.fence_is_on && state_.position_stamp) {
-    if (const auto breach = fence_.breach(state_.p_world_m)) problems.push_back(*breach);
-  }
-  const double speed = state_.v_world_m_s.norm();
-  // A vessel drifts in waves and current.
-  if (options_.vehicle != VehicleClass::kVessel && speed > kStanding_m_s) {
-    problems.push_back("speed: " + number_text(speed) + " m/s, limit " +
-                       number_text(kStanding_m_s) + " m/s");
-  }
-  if (prevents_arming(mode_)) {
-    const ModeEntry* const entry = find_mode(options_.flavor, options_.vehicle, mode_);
-    problems.push_back(std::string("mode: ") + entry->name + " cannot be armed in");
-  }
-  return problems;
-}
-
-Answer Autopilot::arm(const ArmRequest& request, SimTime now) {
-  if (request.is_armed == is_armed_) return {};
-  if (!request.is_armed) {
-    if (!is_landed() && !request.is_forced) {
-      return refused("Disarming: the vehicle is in the air, it must have landed");
-    }
-    disarm(request.is_forced ? "forced" : "asked for");
-    return {};
-  }
-  if (!request.is_forced && limits_.checks_arming) {
-    const auto problems = arming_problems(now);
-    for (const std::string& problem : problems) report(kSeverityError, "Arming denied: " + problem);
-    if (!problems.empty()) return refused("Arming denied: " + problems.front());
-  }
-  is_armed_ = true;
-  set_home(state_.p_world_m);
-  flight_.start(now, state_);
-  report(kSeverityInfo, request.is_forced ? "Armed, forced." : "Armed.");
-  if (mode_ == Mode::kMission || !flies()) begin(mode_, now);
-  return {};
-}
 
 /// Why a mode cannot be entered.
 std::optional<std::string> Autopilot::mode_problem(Mode mode, SimTime now) const {
@@ -123,6 +78,8 @@ struct Autopilot::Handler {
 
   Answer change_to(Mode mode) const;
   Answer need_armed(const char* what) const;
+  Answer check_take_off(double height_m) const;
+  void depart(const GoToRequest& request) const;
 };
 
 Answer Autopilot::Handler::change_to(Mode mode) const {
@@ -149,24 +106,25 @@ Answer Autopilot::Handler::operator()(const ModeRequest& request) const {
   return denied(text);
 }
 
-Answer Autopilot::Handler::operator()(const TakeOffRequest& request) const {
+Answer Autopilot::Handler::check_take_off(double height_m) const {
   if (!pilot.flies()) return {Result::kUnsupported, "take-off: this vehicle does not fly"};
-  const double height =
-      std::isnan(request.height_m) ? pilot.limits_.take_off_height_m : request.height_m;
-  if (!(height > 0.0 && height <= kGreatestHeight_m)) {
-    return denied("take-off: height " + number_text(height) + " m, legal: above 0, up to " +
+  if (!(height_m > 0.0 && height_m <= kGreatestHeight_m)) {
+    return denied("take-off: height " + number_text(height_m) + " m, legal: above 0, up to " +
                   number_text(kGreatestHeight_m) + " m");
   }
-  const bool is_px4 = pilot.options_.flavor == Flavor::kPx4;
-  if (!is_px4 && pilot.mode_ != Mode::kGuided) {
+  if (pilot.options_.flavor != Flavor::kPx4 && pilot.mode_ != Mode::kGuided) {
     return refused("take-off: the mode must be GUIDED");
   }
-  if (Answer answer = need_armed("Take-off"); !answer.is_good()) return answer;
-  const Eigen::Vector3d goal = pilot.state_.p_world_m + Eigen::Vector3d(0.0, 0.0, height);
-  if (pilot.limits_.fence_is_on) {
-    if (const auto breach = pilot.fence_.breach(goal)) return refused("take-off: " + *breach);
-  }
-  if (is_px4) pilot.mode_ = Mode::kTakeOff;
+  return need_armed("Take-off");
+}
+
+Answer Autopilot::Handler::operator()(const TakeOffRequest& request) const {
+  const double height_m =
+      std::isnan(request.height_m) ? pilot.limits_.take_off_height_m : request.height_m;
+  if (Answer answer = check_take_off(height_m); !answer.is_good()) return answer;
+  const Eigen::Vector3d goal = pilot.state_.p_world_m + Eigen::Vector3d(0.0, 0.0, height_m);
+  if (const auto breach = pilot.fence_problem(goal)) return refused("take-off: " + *breach);
+  if (pilot.options_.flavor == Flavor::kPx4) pilot.mode_ = Mode::kTakeOff;
   pilot.flight_.go_to(goal, now);
   return {};
 }
@@ -174,20 +132,21 @@ Answer Autopilot::Handler::operator()(const TakeOffRequest& request) const {
 Answer Autopilot::Handler::operator()(const GoToRequest& request) const {
   if (!request.p_world_m.allFinite()) return denied("go to: the place is not finite");
   if (Answer answer = need_armed("Go to"); !answer.is_good()) return answer;
-  if (pilot.limits_.fence_is_on) {
-    if (const auto breach = pilot.fence_.breach(request.p_world_m)) {
-      return refused("go to: " + *breach);
-    }
+  if (const auto breach = pilot.fence_problem(request.p_world_m)) {
+    return refused("go to: " + *breach);
   }
   const bool is_px4 = pilot.options_.flavor == Flavor::kPx4;
-  if (Answer answer = change_to(is_px4 ? Mode::kHold : Mode::kGuided); !answer.is_good()) {
-    return answer;
-  }
+  Answer answer = change_to(is_px4 ? Mode::kHold : Mode::kGuided);
+  if (answer.is_good()) depart(request);
+  return answer;
+}
+
+/// Leaves for the place, with the speed and the heading that are asked for.
+void Autopilot::Handler::depart(const GoToRequest& request) const {
   if (request.speed_m_s > 0.0) (*this)(SpeedRequest{request.speed_m_s});
   if (pilot.flies()) pilot.flight_.look_along(request.p_world_m, now);
   if (request.yaw) pilot.flight_.turn_to(*request.yaw);
   pilot.go_to(request.p_world_m, now);
-  return {};
 }
 
 Answer Autopilot::Handler::operator()(const SpeedRequest& request) const {
@@ -262,25 +221,24 @@ Answer Autopilot::handle(const Request& request, SimTime now) {
   return std::visit(Handler{*this, now}, request);
 }
 
+/// ArduPilot's copter leaves the ground by a take-off alone.
+bool Autopilot::must_take_off_before(const Target& target) const {
+  return mode_ == Mode::kGuided && flight_.is_landed() && !target.thrust;
+}
+
 Answer Autopilot::set_target(const Target& target, SimTime stamp, SimTime now) {
-  const auto finite = [](const auto& part) { return !part || part->allFinite(); };
-  if (!finite(target.p_m) || !finite(target.v_m_s) || !finite(target.a_m_s2) ||
-      !finite(target.w_body_rad_s) || !std::isfinite(target.yaw.value_or(0.0)) ||
-      !std::isfinite(target.yaw_rate.value_or(0.0)) ||
-      !std::isfinite(target.thrust.value_or(0.0))) {
+  if (!are_finite(target.p_m, target.v_m_s, target.a_m_s2, target.w_body_rad_s, target.yaw,
+                  target.yaw_rate, target.thrust)) {
     return denied("set-point: a number of it is not finite");
   }
   watch_.note_target(now);
-  if (mode_ != Mode::kOffboard && mode_ != Mode::kGuided) {
-    return refused("set-point: not followed in this mode");
-  }
+  if (!follows_targets(mode_)) return refused("set-point: not followed in this mode");
   if (!is_armed_) return refused("set-point: the vehicle is disarmed, it must be armed");
   if (!flies()) {
     drive_.follow(target, state_, now);
     return {};
   }
-  // ArduPilot's copter leaves the ground by a take-off alone.
-  if (mode_ == Mode::kGuided && flight_.is_landed() && !target.thrust) {
+  if (must_take_off_before(target)) {
     return refused("set-point: the vehicle stands on the ground, take off before");
   }
   flight_.follow(target, stamp, now);

@@ -43,12 +43,13 @@ void DriveGuide::expire(const VehicleState& state, SimTime now) {
   if (is_followed_velocity_ && (now - followed_).seconds() > kDriveLasts_s) stop(state);
 }
 
+void DriveGuide::follow_place(const Eigen::Vector3d& p_m, const VehicleState& state) {
+  const bool is_same = setpoint_.kind == Kind::kLeg && (setpoint_.p_m - p_m).norm() < 0.1;
+  if (!is_same) go_to(p_m, state);
+}
+
 void DriveGuide::follow(const Target& target, const VehicleState& state, SimTime now) {
-  if (target.p_m) {
-    const bool is_same = setpoint_.kind == Kind::kLeg && (setpoint_.p_m - *target.p_m).norm() < 0.1;
-    if (!is_same) go_to(*target.p_m, state);
-    return;
-  }
+  if (target.p_m) return follow_place(*target.p_m, state);
   begin(Kind::kDrive);
   is_followed_velocity_ = true;
   followed_ = now;

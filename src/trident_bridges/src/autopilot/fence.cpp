@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trident_bridges/autopilot/fence.h"
 
+#include <algorithm>
+
 #include "trident_base/string_util.h"
 
 namespace trident::bridges {
@@ -14,6 +16,18 @@ bool contains(const Fence::Region& region, const Eigen::Vector2d& point) {
 
 std::string text_of(const Eigen::Vector2d& p) {
   return "(" + number_text(p.x()) + ", " + number_text(p.y()) + ") m";
+}
+
+/// The first region that is not kept.
+std::optional<std::string> region_breach(const std::vector<Fence::Region>& regions,
+                                         const Eigen::Vector2d& point) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    if (contains(regions[i], point) == regions[i].is_inclusion) continue;
+    return "fence: " + text_of(point) + " is " +
+           (regions[i].is_inclusion ? "outside of inclusion " : "inside of exclusion ") +
+           std::to_string(i);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -41,13 +55,19 @@ std::optional<std::string> Fence::breach(const Eigen::Vector3d& p_world_m) const
     return "fence: " + number_text(from_home.z()) + " m above home, limit " +
            number_text(height_m) + " m";
   }
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    if (contains(regions[i], p_world_m.head<2>()) == regions[i].is_inclusion) continue;
-    return "fence: " + text_of(p_world_m.head<2>()) + " is " +
-           (regions[i].is_inclusion ? "outside of inclusion " : "inside of exclusion ") +
-           std::to_string(i);
+  return region_breach(regions, p_world_m.head<2>());
+}
+
+std::string problem_of(const Fence::Region& region) {
+  const auto& corners = region.corners_m;
+  if (corners.empty()) {
+    if (region.radius_m > 0.0 && region.center_m.allFinite()) return "";
+    return "radius " + number_text(region.radius_m) + " m, legal: above 0, around a finite center";
   }
-  return std::nullopt;
+  if (corners.size() < 3) return std::to_string(corners.size()) + " corners, legal: 3 or more";
+  const bool are_finite = std::all_of(corners.begin(), corners.end(),
+                                      [](const auto& corner) { return corner.allFinite(); });
+  return are_finite ? "" : "a corner is not finite";
 }
 
 }  // namespace trident::bridges

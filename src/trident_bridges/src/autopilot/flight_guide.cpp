@@ -88,18 +88,20 @@ void FlightGuide::look_along(const Eigen::Vector3d& goal_m, SimTime now) {
   if (offset.norm() > kShortestTurn_m) yaw_goal_ = std::atan2(offset.y(), offset.x());
 }
 
+/// An attitude or body rates are handed on as they came.
+void FlightGuide::follow_directly(const Target& target) {
+  leave_others();
+  Setpoint setpoint;
+  setpoint.kind = target.w_body_rad_s ? Setpoint::Kind::kRates : Setpoint::Kind::kAttitude;
+  setpoint.R_world_body = target.R_world_body.value_or(Eigen::Quaterniond::Identity());
+  setpoint.w_body_rad_s = target.w_body_rad_s.value_or(Eigen::Vector3d::Zero());
+  setpoint.yaw_rate = target.yaw_rate.value_or(0.0);
+  setpoint.thrust = std::clamp(target.thrust.value_or(0.0), 0.0, 1.0);
+  direct_ = setpoint;
+}
+
 void FlightGuide::follow(const Target& target, SimTime stamp, SimTime now) {
-  if (target.R_world_body || target.w_body_rad_s) {
-    leave_others();
-    Setpoint setpoint;
-    setpoint.kind = target.w_body_rad_s ? Setpoint::Kind::kRates : Setpoint::Kind::kAttitude;
-    setpoint.R_world_body = target.R_world_body.value_or(Eigen::Quaterniond::Identity());
-    setpoint.w_body_rad_s = target.w_body_rad_s.value_or(Eigen::Vector3d::Zero());
-    setpoint.yaw_rate = target.yaw_rate.value_or(0.0);
-    setpoint.thrust = std::clamp(target.thrust.value_or(0.0), 0.0, 1.0);
-    direct_ = setpoint;
-    return;
-  }
+  if (target.R_world_body || target.w_body_rad_s) return follow_directly(target);
   circle_.reset();
   direct_.reset();
   news_until_.reset();
@@ -107,10 +109,7 @@ void FlightGuide::follow(const Target& target, SimTime stamp, SimTime now) {
   landing_.is_active = false;
   wanted_yaw_rate_ = target.yaw_rate;
   if (target.yaw) yaw_goal_ = *target.yaw;
-  if (target.p_m) {
-    follow_place(target, stamp, now);
-    return;
-  }
+  if (target.p_m) return follow_place(target, stamp, now);
   stream_.clear();
   if (!target.v_m_s) return;
   motion_.set_velocity(limited(*target.v_m_s), motion_limits(), now);
@@ -266,10 +265,11 @@ void FlightGuide::advance_yaw(const VehicleState& state, double step_s) {
 }
 
 void FlightGuide::watch_ground(SimTime now, const VehicleState& state) {
-  if (!landing_.is_active) {
-    if (state.p_world_m.z() > landing_.ground_m + kLifted_m) landing_.is_done = false;
-    return;
-  }
+  if (landing_.is_active) return watch_touchdown(now, state);
+  if (state.p_world_m.z() > landing_.ground_m + kLifted_m) landing_.is_done = false;
+}
+
+void FlightGuide::watch_touchdown(SimTime now, const VehicleState& state) {
   const bool is_below = motion_.at(now).p_m.z() < state.p_world_m.z() - 0.3;
   const bool stands = is_below && state.v_world_m_s.norm() < kStill_m_s;
   if (!stands) {

@@ -83,6 +83,8 @@ bool is_manual(Mode mode) {
          mode == Mode::kAltitude || mode == Mode::kPosition;
 }
 
+bool follows_targets(Mode mode) { return mode == Mode::kOffboard || mode == Mode::kGuided; }
+
 bool prevents_arming(Mode mode) { return mode == Mode::kReturn || mode == Mode::kLand; }
 
 bool needs_position(Mode mode) {

@@ -24,6 +24,11 @@ std::vector<std::string> names_of(const std::vector<Parameter>& parameters) {
   return names;
 }
 
+std::string range_text(const Parameter& parameter) {
+  return number_text(parameter.min) + " to " + number_text(parameter.max) +
+         (parameter.unit.empty() ? "" : " " + parameter.unit);
+}
+
 /// What a parameter chooses, as a number of GF_ACTION, which AutopilotLimits has.
 int action_of(double value, const std::vector<int>& actions) {
   const auto index = static_cast<std::size_t>(std::max(0.0, value));
@@ -116,13 +121,12 @@ Answer ParameterTable::set(std::string_view name, double value) {
   if (found == nullptr) {
     return denied("parameter: unknown " + unknown_name_text(name, names_of(parameters_)));
   }
-  const std::string range = number_text(found->min) + " to " + number_text(found->max) +
-                            (found->unit.empty() ? "" : " " + found->unit);
   if (!(value >= found->min && value <= found->max)) {
-    return denied(found->name + ": " + number_text(value) + ", legal: " + range);
+    return denied(found->name + ": " + number_text(value) + ", legal: " + range_text(*found));
   }
   if (found->is_integer && value != std::floor(value)) {
-    return denied(found->name + ": " + number_text(value) + ", legal: whole numbers, " + range);
+    return denied(found->name + ": " + number_text(value) + ", legal: whole numbers, " +
+                  range_text(*found));
   }
   parameters_[static_cast<std::size_t>(found - parameters_.data())].value = value;
   return {};

@@ -89,13 +89,20 @@ class Autopilot {
   friend struct Handler;
 
   Answer arm(const ArmRequest& request, SimTime now);
+  Answer check_arming(SimTime now);
+  void become_armed(const std::string& report_text, SimTime now);
+  Answer disarm_on_request(bool is_forced);
   void disarm(const std::string& reason);
+  std::optional<std::string> fence_problem(const Eigen::Vector3d& p_world_m) const;
+  bool must_take_off_before(const Target& target) const;
   Answer enter_requested(const ModeEntry& entry, SimTime now);
   std::optional<std::string> mode_problem(Mode mode, SimTime now) const;
   void enter(Mode mode, SimTime now);
   void begin(Mode mode, SimTime now);
   void begin_return(SimTime now);
+  bool is_left_alone(Mode wanted) const;
   void act(const FailsafeAction& action, SimTime now);
+  void guide(SimTime now);
   void advance(SimTime now);
   void advance_mission(SimTime now);
   void carry_out(const MissionOrder& order, SimTime now);

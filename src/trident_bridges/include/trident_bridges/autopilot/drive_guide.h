@@ -35,6 +35,7 @@ class DriveGuide {
 
  private:
   void begin(Setpoint::Kind kind);
+  void follow_place(const Eigen::Vector3d& p_m, const VehicleState& state);
 
   AutopilotLimits limits_;
   Setpoint setpoint_;

@@ -30,4 +30,7 @@ struct Fence {
 /// Whether a point lies in a polygon (even-odd rule); the edge counts as either.
 bool is_inside(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& point);
 
+/// What is not legal about a region, with the legal range; empty: nothing.
+std::string problem_of(const Fence::Region& region);
+
 }  // namespace trident::bridges

@@ -68,11 +68,13 @@ class FlightGuide {
   MotionLimits motion_limits() const;
   Eigen::Vector3d limited(const Eigen::Vector3d& v_m_s) const;
   void leave_others();
+  void follow_directly(const Target& target);
   void follow_place(const Target& target, SimTime stamp, SimTime now);
   void advance_circle(SimTime now, double step_s);
   void sink(SimTime now, const VehicleState& state);
   void advance_yaw(const VehicleState& state, double step_s);
   void watch_ground(SimTime now, const VehicleState& state);
+  void watch_touchdown(SimTime now, const VehicleState& state);
 
   AutopilotLimits limits_;
   Motion motion_;

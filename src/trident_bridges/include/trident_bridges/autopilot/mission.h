@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -107,7 +108,11 @@ class MissionExecutor {
 
  private:
   enum class Passing { kDone, kWaiting };
+  MissionOrder give(MissionOrder order);
+  std::optional<MissionOrder> order_of_current(SimTime now, bool has_arrived,
+                                               MissionReport& report);
   MissionOrder order_of(const MissionItem& item);
+  bool has_to_wait(double duration_s, SimTime now);
   bool is_held(const MissionItem& item, SimTime now, bool has_arrived);
   Passing pass(const MissionItem& item, SimTime now, MissionReport& report);
   void jump(const MissionItem& item);

@@ -53,6 +53,8 @@ std::vector<std::string> mode_names(Flavor flavor, VehicleClass vehicle);
 
 /// Whether the pilot's sticks move the vehicle in this mode.
 bool is_manual(Mode mode);
+/// Whether a companion computer's set-points move the vehicle in this mode.
+bool follows_targets(Mode mode);
 /// Whether a vehicle cannot be armed in this mode.
 bool prevents_arming(Mode mode);
 /// Whether the mode can be entered or kept only with a known place.
