@@ -28,6 +28,7 @@ trident_bridges_room(mavlink
   src/mavlink/mission_client.cpp
   src/mavlink/mission_messages.cpp
   src/mavlink/mission_server.cpp
+  src/mavlink/mission_server_uploads.cpp
   src/mavlink/packet.cpp
   src/mavlink/packet_parser.cpp
   src/mavlink/packet_writer.cpp

@@ -75,19 +75,27 @@ bool CommandClient::handle(const Message& message, SimTime now) {
   const auto ack = unpack<mavlink_command_ack_t>(message);
   // Vehicles of MAVLink 1 do not say for whom an answer is.
   if (!is_for({ack.target_system, ack.target_component}, self_)) return false;
-  for (std::size_t i = 0; i < pending_.size(); ++i) {
-    Pending& pending = pending_[i];
-    if (pending.command.command != ack.command || !is_for(pending.target, message.source)) continue;
-    const auto result = static_cast<CommandResult>(ack.result);
-    if (result != CommandResult::kInProgress) {
-      end(i, {true, {result, "", ack.progress}});
-      return true;
-    }
-    pending.is_in_progress = true;
-    pending.heard = now;
+  const auto answered = std::find_if(pending_.begin(), pending_.end(), [&](const Pending& pending) {
+    return pending.command.command == ack.command && is_for(pending.target, message.source);
+  });
+  if (answered == pending_.end()) return false;
+  const auto result = static_cast<CommandResult>(ack.result);
+  if (result != CommandResult::kInProgress) {
+    end(static_cast<std::size_t>(answered - pending_.begin()), {true, {result, "", ack.progress}});
     return true;
   }
-  return false;
+  answered->is_in_progress = true;
+  answered->heard = now;
+  return true;
+}
+
+void CommandClient::repeat_if_due(Pending& pending, SimTime now) {
+  const bool may_repeat =
+      !pending.is_in_progress || (now - pending.heard).seconds() >= kProgressPoll_s;
+  if (!may_repeat || !pending.timer.is_due(now)) return;
+  pending.timer.retry(now);
+  if (pending.confirmation < 255) ++pending.confirmation;
+  transmit(pending);
 }
 
 void CommandClient::update(SimTime now) {
@@ -102,13 +110,7 @@ void CommandClient::update(SimTime now) {
                0}});
       continue;
     }
-    const bool may_repeat =
-        !pending.is_in_progress || (now - pending.heard).seconds() >= kProgressPoll_s;
-    if (may_repeat && pending.timer.is_due(now)) {
-      pending.timer.retry(now);
-      if (pending.confirmation < 255) ++pending.confirmation;
-      transmit(pending);
-    }
+    repeat_if_due(pending, now);
     ++i;
   }
 }

@@ -110,25 +110,33 @@ bool CommandServer::handle(const Message& message, SimTime now) {
   return true;
 }
 
+/// Whether a command repeats an equal one from before, whose answer was lost.
+bool CommandServer::is_repetition(const Record& record, const Record& known, SimTime now) {
+  const double age_s = (now - known.when).seconds();
+  return record.confirmation > known.confirmation ||
+         (record.sequence == known.sequence && age_s < kSamePacket_s) ||
+         (record.command.is_int && age_s < kRepeatedInt_s) ||
+         known.reply.result == CommandResult::kInProgress;
+}
+
 CommandServer::Record* CommandServer::find_repeated(const Record& record, SimTime now) {
   const auto it = std::find_if(records_.rbegin(), records_.rend(), [&](const Record& known) {
-    if (!are_same(known.command, record.command)) return false;
-    const double age_s = (now - known.when).seconds();
-    return record.confirmation > known.confirmation ||
-           (record.sequence == known.sequence && age_s < kSamePacket_s) ||
-           (record.command.is_int && age_s < kRepeatedInt_s) ||
-           known.reply.result == CommandResult::kInProgress;
+    return are_same(known.command, record.command) && is_repetition(record, known, now);
   });
   return it == records_.rend() ? nullptr : &*it;
+}
+
+void CommandServer::report_refusal(const CommandReply& reply) const {
+  const bool is_refused =
+      reply.result != CommandResult::kAccepted && reply.result != CommandResult::kInProgress;
+  if (is_refused && refused_ && !reply.reason.empty()) refused_(reply.reason);
 }
 
 void CommandServer::execute(Record record, SimTime now) {
   record.reply =
       execute_ ? execute_(record.command, now) : CommandReply{CommandResult::kUnsupported, "", 0};
   acknowledge(record);
-  const bool is_refused = record.reply.result != CommandResult::kAccepted &&
-                          record.reply.result != CommandResult::kInProgress;
-  if (is_refused && refused_ && !record.reply.reason.empty()) refused_(record.reply.reason);
+  report_refusal(record.reply);
   if (records_.size() == kMaxRecords) records_.pop_front();
   records_.push_back(std::move(record));
 }
@@ -150,9 +158,7 @@ void CommandServer::progress(std::uint16_t command, const CommandReply& reply, S
     record.reply = reply;
     record.when = now;
     acknowledge(record);
-    const bool has_failed =
-        reply.result != CommandResult::kAccepted && reply.result != CommandResult::kInProgress;
-    if (has_failed && refused_ && !reply.reason.empty()) refused_(reply.reason);
+    report_refusal(reply);
   }
 }
 

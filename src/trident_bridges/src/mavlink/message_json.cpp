@@ -67,13 +67,16 @@ void append_number(std::string& text, FieldType type, const std::uint8_t* at) {
   }
 }
 
+/// Whether a character stands for itself in a text of JSON.
+bool is_plain(std::uint8_t c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
+
 void append_text(std::string& text, const std::uint8_t* at, std::size_t size) {
   text += '"';
   for (std::size_t i = 0; i < size && at[i] != 0; ++i) {
-    if (at[i] < 0x20 || at[i] >= 0x7F || at[i] == '"' || at[i] == '\\') {
-      append_format(text, "\\u%04x", unsigned{at[i]});
-    } else {
+    if (is_plain(at[i])) {
       text += static_cast<char>(at[i]);
+    } else {
+      append_format(text, "\\u%04x", unsigned{at[i]});
     }
   }
   text += '"';

@@ -107,6 +107,16 @@ void MessageStreams::set_rate(Stream& stream, double rate_hz, SimTime now) {
   is_changed_ = true;
 }
 
+void MessageStreams::emit_if_due(std::uint32_t id, Stream& stream, SimTime now) {
+  const bool is_set_back = (stream.due - now).ns > stream.period_ns;
+  if (is_set_back) stream.due = now;
+  if (now < stream.due) return;
+  emit_(id);
+  stream.due = stream.due + SimTime{stream.period_ns};
+  // After a pause nothing is made up for.
+  if (stream.due <= now) stream.due = now + SimTime{stream.period_ns};
+}
+
 void MessageStreams::update(SimTime now) {
   if (!is_changed_ && now >= updated_ && now < next_due_) return;
   is_changed_ = false;
@@ -114,26 +124,18 @@ void MessageStreams::update(SimTime now) {
   next_due_ = SimTime{std::numeric_limits<std::int64_t>::max()};
   for (auto& [id, stream] : streams_) {
     if (stream.period_ns == 0) continue;
-    const bool is_set_back = (stream.due - now).ns > stream.period_ns;
-    if (is_set_back) stream.due = now;
-    if (now >= stream.due) {
-      emit_(id);
-      stream.due = stream.due + SimTime{stream.period_ns};
-      // After a pause nothing is made up for.
-      if (stream.due <= now) stream.due = now + SimTime{stream.period_ns};
-    }
+    emit_if_due(id, stream, now);
     next_due_ = std::min(next_due_, stream.due);
   }
 }
 
 bool MessageStreams::handle(const Message& message, SimTime now) {
-  if (!is<mavlink_request_data_stream_t>(message)) return false;
-  const auto payload = unpack<mavlink_request_data_stream_t>(message);
-  if (!is_for({payload.target_system, payload.target_component}, self_)) return false;
-  for (const std::uint32_t id : messages_of(payload.req_stream_id)) {
+  const auto payload = unpack_if_for<mavlink_request_data_stream_t>(message, self_);
+  if (!payload) return false;
+  for (const std::uint32_t id : messages_of(payload->req_stream_id)) {
     const auto it = streams_.find(id);
     if (it == streams_.end()) continue;
-    set_rate(it->second, payload.start_stop != 0 ? payload.req_message_rate : 0.0, now);
+    set_rate(it->second, payload->start_stop != 0 ? payload->req_message_rate : 0.0, now);
   }
   return true;
 }
@@ -151,20 +153,25 @@ std::optional<CommandReply> MessageStreams::execute(const Command& command, SimT
   }
 }
 
+MessageStreams::Stream* MessageStreams::find(double id) {
+  if (!(id >= 0.0 && id < 1e7)) return nullptr;
+  const auto it = streams_.find(static_cast<std::uint32_t>(id));
+  return it == streams_.end() ? nullptr : &it->second;
+}
+
 /// `interval_us`: -1 turns the message off, 0 asks for the default rate.
 CommandReply MessageStreams::set_interval(double id, double interval_us, SimTime now) {
-  const auto it =
-      id >= 0.0 && id < 1e7 ? streams_.find(static_cast<std::uint32_t>(id)) : streams_.end();
-  if (it == streams_.end()) {
+  Stream* const stream = find(id);
+  if (stream == nullptr) {
     return {CommandResult::kDenied, numbered(id) + " is not sent by this vehicle", 0};
   }
   const double shortest_us = 1e6 / kMaxRate_hz;
   if (interval_us == -1.0) {
-    set_rate(it->second, 0.0, now);
+    set_rate(*stream, 0.0, now);
   } else if (interval_us == 0.0) {
-    set_rate(it->second, it->second.default_hz, now);
+    set_rate(*stream, stream->default_hz, now);
   } else if (interval_us >= shortest_us) {
-    set_rate(it->second, 1e6 / interval_us, now);
+    set_rate(*stream, 1e6 / interval_us, now);
   } else {
     return {CommandResult::kDenied,
             numbered(id) + ": interval " + number_text(interval_us) +

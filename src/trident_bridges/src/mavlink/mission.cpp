@@ -5,13 +5,41 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <tuple>
 
+#include "trident_base/is_one_of.h"
 #include "trident_bridges/mavlink/dialect.h"
 
 namespace trident::bridges::mavlink {
 namespace {
 
 constexpr double kDegrees = 1e7;  // of x and y in one degree
+
+constexpr std::uint8_t kGlobalFrames[] = {MAV_FRAME_GLOBAL,
+                                          MAV_FRAME_GLOBAL_RELATIVE_ALT,
+                                          MAV_FRAME_GLOBAL_INT,
+                                          MAV_FRAME_GLOBAL_RELATIVE_ALT_INT,
+                                          MAV_FRAME_GLOBAL_TERRAIN_ALT,
+                                          MAV_FRAME_GLOBAL_TERRAIN_ALT_INT};
+
+constexpr std::uint16_t kCommandsWithPlace[] = {MAV_CMD_NAV_WAYPOINT,
+                                                MAV_CMD_NAV_LOITER_UNLIM,
+                                                MAV_CMD_NAV_LOITER_TURNS,
+                                                MAV_CMD_NAV_LOITER_TIME,
+                                                MAV_CMD_NAV_LAND,
+                                                MAV_CMD_NAV_TAKEOFF,
+                                                MAV_CMD_NAV_LOITER_TO_ALT,
+                                                MAV_CMD_NAV_SPLINE_WAYPOINT,
+                                                MAV_CMD_DO_SET_HOME,
+                                                MAV_CMD_DO_REPOSITION,
+                                                MAV_CMD_DO_SET_ROI_LOCATION,
+                                                MAV_CMD_DO_SET_ROI,
+                                                MAV_CMD_NAV_FENCE_RETURN_POINT,
+                                                MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION,
+                                                MAV_CMD_NAV_FENCE_POLYGON_VERTEX_EXCLUSION,
+                                                MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION,
+                                                MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION,
+                                                MAV_CMD_NAV_RALLY_POINT};
 
 bool are_same(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
@@ -44,51 +72,15 @@ const char* text_of(MissionResult result) {
 }
 
 bool operator==(const MissionItem& a, const MissionItem& b) {
-  return a.command == b.command && a.frame == b.frame && a.is_current == b.is_current &&
-         a.autocontinue == b.autocontinue && a.x == b.x && a.y == b.y &&
+  return std::tie(a.command, a.frame, a.is_current, a.autocontinue, a.x, a.y) ==
+             std::tie(b.command, b.frame, b.is_current, b.autocontinue, b.x, b.y) &&
          std::equal(a.params.begin(), a.params.end(), b.params.begin(), are_same) &&
          are_same(a.z, b.z);
 }
 
-bool is_global_frame(std::uint8_t frame) {
-  switch (frame) {
-    case MAV_FRAME_GLOBAL:
-    case MAV_FRAME_GLOBAL_RELATIVE_ALT:
-    case MAV_FRAME_GLOBAL_INT:
-    case MAV_FRAME_GLOBAL_RELATIVE_ALT_INT:
-    case MAV_FRAME_GLOBAL_TERRAIN_ALT:
-    case MAV_FRAME_GLOBAL_TERRAIN_ALT_INT:
-      return true;
-    default:
-      return false;
-  }
-}
+bool is_global_frame(std::uint8_t frame) { return is_one_of(frame, kGlobalFrames); }
 
-bool has_place(std::uint16_t command) {
-  switch (command) {
-    case MAV_CMD_NAV_WAYPOINT:
-    case MAV_CMD_NAV_LOITER_UNLIM:
-    case MAV_CMD_NAV_LOITER_TURNS:
-    case MAV_CMD_NAV_LOITER_TIME:
-    case MAV_CMD_NAV_LAND:
-    case MAV_CMD_NAV_TAKEOFF:
-    case MAV_CMD_NAV_LOITER_TO_ALT:
-    case MAV_CMD_NAV_SPLINE_WAYPOINT:
-    case MAV_CMD_DO_SET_HOME:
-    case MAV_CMD_DO_REPOSITION:
-    case MAV_CMD_DO_SET_ROI_LOCATION:
-    case MAV_CMD_DO_SET_ROI:
-    case MAV_CMD_NAV_FENCE_RETURN_POINT:
-    case MAV_CMD_NAV_FENCE_POLYGON_VERTEX_INCLUSION:
-    case MAV_CMD_NAV_FENCE_POLYGON_VERTEX_EXCLUSION:
-    case MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION:
-    case MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION:
-    case MAV_CMD_NAV_RALLY_POINT:
-      return true;
-    default:
-      return false;
-  }
-}
+bool has_place(std::uint16_t command) { return is_one_of(command, kCommandsWithPlace); }
 
 double scale_of_place(std::uint16_t command, std::uint8_t frame) {
   constexpr double kPerDegree = 1e7, kPerMeter = 1e4;

@@ -65,31 +65,38 @@ bool MissionClient::concerns(Address source, std::uint8_t type, Kind kind) const
          type == static_cast<std::uint8_t>(transfer_->type);
 }
 
-bool MissionClient::handle(const Message& message, SimTime now) {
-  // Calls `use` with the payload if the message is of that type and of this transfer.
-  const auto take = [&](auto payload, Kind kind, auto use) {
-    using Payload = decltype(payload);
-    if (!is<Payload>(message)) return false;
-    payload = unpack<Payload>(message);
-    const Address target{payload.target_system, payload.target_component};
-    if (!is_for(target, self_) || !concerns(message.source, payload.mission_type, kind)) {
-      return false;
-    }
-    transfer_->heard = now;
-    use(payload);
-    return true;
-  };
+/// Calls `use` with the payload if the message is of that type and of this transfer.
+template <typename Payload, typename Use>
+bool MissionClient::take(const Message& message, Kind kind, SimTime now, Use use) {
+  if (!is<Payload>(message)) return false;
+  const auto payload = unpack<Payload>(message);
+  const Address target{payload.target_system, payload.target_component};
+  if (!is_for(target, self_) || !concerns(message.source, payload.mission_type, kind)) return false;
+  transfer_->heard = now;
+  use(payload);
+  return true;
+}
+
+bool MissionClient::handle_upload(const Message& message, SimTime now) {
+  return take<mavlink_mission_request_int_t>(
+             message, Kind::kUpload, now, [&](const auto& p) { on_request(p.seq, true, now); }) ||
+         take<mavlink_mission_request_t>(message, Kind::kUpload, now,
+                                         [&](const auto& p) { on_request(p.seq, false, now); });
+}
+
+bool MissionClient::handle_download(const Message& message, SimTime now) {
   const auto on_item_message = [&](const auto&) { on_item(message, now); };
-  return take(mavlink_mission_request_int_t{}, Kind::kUpload,
-              [&](const auto& p) { on_request(p.seq, true, now); }) ||
-         take(mavlink_mission_request_t{}, Kind::kUpload,
-              [&](const auto& p) { on_request(p.seq, false, now); }) ||
-         take(mavlink_mission_count_t{}, Kind::kDownload,
-              [&](const auto& p) { on_count(p.count, now); }) ||
-         take(mavlink_mission_item_int_t{}, Kind::kDownload, on_item_message) ||
-         take(mavlink_mission_item_t{}, Kind::kDownload, on_item_message) ||
-         (transfer_ &&
-          take(mavlink_mission_ack_t{}, transfer_->kind, [&](const auto& p) { on_ack(p.type); }));
+  return take<mavlink_mission_count_t>(message, Kind::kDownload, now,
+                                       [&](const auto& p) { on_count(p.count, now); }) ||
+         take<mavlink_mission_item_int_t>(message, Kind::kDownload, now, on_item_message) ||
+         take<mavlink_mission_item_t>(message, Kind::kDownload, now, on_item_message);
+}
+
+bool MissionClient::handle(const Message& message, SimTime now) {
+  if (!transfer_) return false;
+  return handle_upload(message, now) || handle_download(message, now) ||
+         take<mavlink_mission_ack_t>(message, transfer_->kind, now,
+                                     [&](const auto& p) { on_ack(p.type); });
 }
 
 /// [s] after which the last message is repeated.

@@ -70,6 +70,10 @@ ReceivedItem read_float_item(const mavlink_mission_item_t& payload) {
 
 }  // namespace
 
+std::string item_text(MissionType type, std::size_t item) {
+  return std::string(text_of(type)) + " item " + std::to_string(item);
+}
+
 std::optional<ReceivedItem> read_item(const Message& message) {
   if (is<mavlink_mission_item_int_t>(message)) {
     const auto payload = unpack<mavlink_mission_item_int_t>(message);

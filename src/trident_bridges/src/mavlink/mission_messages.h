@@ -25,6 +25,8 @@ struct ReceivedItem {
   MissionVerdict verdict;  ///< refused when its numbers fit no item
 };
 
+/// "mission item 3".
+std::string item_text(MissionType type, std::size_t item);
 /// nullopt: the message is another one.
 std::optional<ReceivedItem> read_item(const Message& message);
 /// MISSION_ITEM_INT.

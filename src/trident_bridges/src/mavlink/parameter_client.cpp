@@ -122,22 +122,24 @@ void ParameterClient::note_set(const Parameter& parameter, SimTime now) {
   end_set(is_set, is_set ? "" : stays, now);
 }
 
-void ParameterClient::update(SimTime now) {
-  if (fetch_ && (now - fetch_->heard).seconds() >= kSilence_s) {
-    const Done done = std::move(fetch_->done);
-    const std::string got = std::to_string(fetch_->received.size());
-    fetch_.reset();
-    if (done)
-      done(false, "system " + std::to_string(target_.system) + ": " + got +
-                      " parameters came, then it was silent for 10 s");
-  }
-  const bool has_gap = fetch_ && (now - fetch_->heard).seconds() >= kGap_s &&
-                       (now - fetch_->asked).seconds() >= kGap_s;
-  if (has_gap) {
-    fetch_->asked = now;
-    fetch_->count == 0 ? request_list() : request_missing();
-  }
-  if (sets_.empty()) return;
+void ParameterClient::give_fetch_up() {
+  const Done done = std::move(fetch_->done);
+  const std::string got = std::to_string(fetch_->received.size());
+  fetch_.reset();
+  if (done)
+    done(false, "system " + std::to_string(target_.system) + ": " + got +
+                    " parameters came, then it was silent for 10 s");
+}
+
+void ParameterClient::request_again(SimTime now) {
+  const bool is_answered_or_asked =
+      (now - fetch_->heard).seconds() < kGap_s || (now - fetch_->asked).seconds() < kGap_s;
+  if (is_answered_or_asked) return;
+  fetch_->asked = now;
+  fetch_->count == 0 ? request_list() : request_missing();
+}
+
+void ParameterClient::update_set(SimTime now) {
   Set& set = sets_.front();
   if (set.timer.waited_s(now) >= kSilence_s) {
     end_set(false,
@@ -148,6 +150,12 @@ void ParameterClient::update(SimTime now) {
     set.timer.retry(now);
     send_set();
   }
+}
+
+void ParameterClient::update(SimTime now) {
+  if (fetch_ && (now - fetch_->heard).seconds() >= kSilence_s) give_fetch_up();
+  if (fetch_) request_again(now);
+  if (!sets_.empty()) update_set(now);
 }
 
 }  // namespace trident::bridges::mavlink

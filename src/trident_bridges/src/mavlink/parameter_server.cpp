@@ -117,23 +117,17 @@ void ParameterServer::set(const std::string& name, double value) {
 }
 
 bool ParameterServer::handle(const Message& message, SimTime now) {
-  if (is<mavlink_param_request_list_t>(message)) {
-    const auto payload = unpack<mavlink_param_request_list_t>(message);
-    if (!is_for({payload.target_system, payload.target_component}, self_)) return false;
+  if (unpack_if_for<mavlink_param_request_list_t>(message, self_)) {
     next_ = 0;
     next_due_ = now;
     return true;
   }
-  if (is<mavlink_param_request_read_t>(message)) {
-    const auto payload = unpack<mavlink_param_request_read_t>(message);
-    if (!is_for({payload.target_system, payload.target_component}, self_)) return false;
-    on_read(parameter_name(payload.param_id), payload.param_index);
+  if (const auto payload = unpack_if_for<mavlink_param_request_read_t>(message, self_)) {
+    on_read(parameter_name(payload->param_id), payload->param_index);
     return true;
   }
-  if (is<mavlink_param_set_t>(message)) {
-    const auto payload = unpack<mavlink_param_set_t>(message);
-    if (!is_for({payload.target_system, payload.target_component}, self_)) return false;
-    on_set(parameter_name(payload.param_id), payload.param_value, payload.param_type);
+  if (const auto payload = unpack_if_for<mavlink_param_set_t>(message, self_)) {
+    on_set(parameter_name(payload->param_id), payload->param_value, payload->param_type);
     return true;
   }
   return false;

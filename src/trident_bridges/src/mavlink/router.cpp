@@ -102,27 +102,28 @@ void Router::forward(const Packet& packet, RouterPeer from) {
   for (const RouterPeer receiver : receivers_) send_to(receiver, packet.raw);
 }
 
-void Router::find_receivers(Address target, RouterPeer from) {
-  const auto add = [&](RouterPeer peer) {
-    const bool is_listed =
-        std::find(receivers_.begin(), receivers_.end(), peer) != receivers_.end();
-    if (peer != from && !is_listed) receivers_.push_back(peer);
-  };
-  receivers_.clear();
+void Router::add_receiver(RouterPeer peer, RouterPeer from) {
+  const bool is_listed = std::find(receivers_.begin(), receivers_.end(), peer) != receivers_.end();
+  if (peer != from && !is_listed) receivers_.push_back(peer);
+}
+
+/// Adds the peers behind which the target is; false: it was not heard.
+bool Router::add_routes(Address target, RouterPeer from) {
   bool is_known = false;
-  for (const bool any_component : {false, true}) {
-    if (is_known) break;
-    for (const auto& [address, route] : routes_) {
-      if (address.system != target.system) continue;
-      const bool fits =
-          any_component || target.component == 0 || address.component == target.component;
-      if (!fits) continue;
-      is_known = true;
-      add(route.peer);
-    }
+  for (const auto& [address, route] : routes_) {
+    if (!is_for(target, address)) continue;
+    is_known = true;
+    add_receiver(route.peer, from);
   }
+  return is_known;
+}
+
+void Router::find_receivers(Address target, RouterPeer from) {
+  receivers_.clear();
+  const Address any_component{target.system, 0};
+  const bool is_known = add_routes(target, from) || add_routes(any_component, from);
   if (!is_known) ++peers_.at(from).counts.unknown_target;
-  for (const RouterPeer listener : listeners_) add(listener);
+  for (const RouterPeer listener : listeners_) add_receiver(listener, from);
 }
 
 void Router::send_to(RouterPeer to, Bytes packet) {

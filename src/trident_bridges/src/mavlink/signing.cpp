@@ -95,6 +95,10 @@ SignatureVerdict Signing::verdict(const Packet& packet) {
   if (packet.id == kRadioStatus && !packet.is_signed) return SignatureVerdict::kAccepted;
   if (packet.version != 2) return SignatureVerdict::kMavlink1;
   if (!packet.is_signed) return SignatureVerdict::kUnsigned;
+  return verdict_of_signature(packet);
+}
+
+SignatureVerdict Signing::verdict_of_signature(const Packet& packet) {
   const std::size_t content = packet.raw.size() - kSignatureSize;
   const Bytes signature = packet.raw.subspan(content);
   const auto whole = digest(packet.raw.first(content), signature.first(1 + kTimeBytes));

@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "trident_base/error.h"
+#include "trident_base/hex_digit.h"
 #include "trident_base/regular_file.h"
 
 namespace trident::bridges::mavlink {
@@ -40,14 +41,18 @@ class Descriptor {
   int number_;
 };
 
-void write_and_sync(const std::string& path, const std::string& text) {
-  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
-  if (file.number() < 0) fail(path, "cannot be written");
+void write_all(const Descriptor& file, const std::string& path, const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t count = ::write(file.number(), text.data() + done, text.size() - done);
     if (count < 0 && errno != EINTR) fail(path, "cannot be written");
     if (count > 0) done += static_cast<std::size_t>(count);
   }
+}
+
+void write_and_sync(const std::string& path, const std::string& text) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600));
+  if (file.number() < 0) fail(path, "cannot be written");
+  write_all(file, path, text);
   if (::fsync(file.number()) != 0) fail(path, "cannot be synced");
 }
 
@@ -58,13 +63,6 @@ void sync_folder(const std::string& path) {
   if (opened.number() < 0 || ::fsync(opened.number()) != 0) fail(folder, "cannot be synced");
 }
 
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
 void check_mode(const std::string& path) {
   struct stat about {};
   if (::stat(path.c_str(), &about) != 0) fail(path, "signing key cannot be read");
@@ -72,6 +70,18 @@ void check_mode(const std::string& path) {
   char mode[8];
   std::snprintf(mode, sizeof mode, "%03o", static_cast<unsigned>(about.st_mode & 0777U));
   throw Error(path + ": a signing key of mode " + mode + ", which others can use; legal: 600, 400");
+}
+
+/// False: what stands there to the end is no list of streams.
+bool read_streams(std::istream& in, SigningMemory& memory) {
+  unsigned system = 0, component = 0, link = 0;
+  SigningTime time = 0;
+  while (in >> system >> component >> link >> time) {
+    if (system >= 256 || component >= 256 || link >= 256) return false;
+    const Address source{static_cast<std::uint8_t>(system), static_cast<std::uint8_t>(component)};
+    memory.streams[{source, static_cast<std::uint8_t>(link)}] = time;
+  }
+  return in.eof();
 }
 
 }  // namespace
@@ -106,15 +116,9 @@ SigningMemory SigningFile::load() {
   }
   std::string line;
   std::getline(file, line);
-  bool is_legal = line == kFirstLine && static_cast<bool>(file >> memory.newest);
-  unsigned system = 0, component = 0, link = 0;
-  SigningTime time = 0;
-  while (is_legal && file >> system >> component >> link >> time) {
-    is_legal = system < 256 && component < 256 && link < 256;
-    const Address source{static_cast<std::uint8_t>(system), static_cast<std::uint8_t>(component)};
-    memory.streams[{source, static_cast<std::uint8_t>(link)}] = time;
-  }
-  if (!is_legal || !file.eof()) {
+  const bool is_legal =
+      line == kFirstLine && static_cast<bool>(file >> memory.newest) && read_streams(file, memory);
+  if (!is_legal) {
     throw Error(path_ + ": not the signing times that '" + kFirstLine + "' announces; delete it");
   }
   return memory;

@@ -44,23 +44,28 @@ std::vector<Message> StatusTextWriter::write(Severity severity, const std::strin
   return messages;
 }
 
+/// A new one, in place of an old one if there are too many, for a text that was not heard of.
+StatusTextReader::Part& StatusTextReader::part_of(const Key& key, SimTime now) {
+  if (parts_.size() >= kMaxParts && parts_.count(key) == 0) parts_.erase(parts_.begin());
+  const auto [it, is_new] = parts_.try_emplace(key);
+  if (is_new) it->second.begun = now;
+  return it->second;
+}
+
 std::optional<StatusText> StatusTextReader::handle(const Message& message, SimTime now) {
   if (!is<mavlink_statustext_t>(message)) return std::nullopt;
   const auto payload = unpack<mavlink_statustext_t>(message);
   const std::string chunk(payload.text, ::strnlen(payload.text, kChunk));
   const auto severity = static_cast<Severity>(payload.severity);
   if (payload.id == 0) return StatusText{message.source, severity, chunk};
-  const std::pair<Address, std::uint16_t> key{message.source, payload.id};
-  if (parts_.size() >= kMaxParts && parts_.count(key) == 0) parts_.erase(parts_.begin());
-  const auto [it, is_new] = parts_.try_emplace(key);
-  Part& part = it->second;
-  if (is_new) part.begun = now;
+  const Key key{message.source, payload.id};
+  Part& part = part_of(key, now);
   part.severity = severity;
   part.chunks[payload.chunk_seq] = chunk;
   if (chunk.size() < kChunk) part.last = payload.chunk_seq;
   if (!part.last || part.chunks.size() <= *part.last) return std::nullopt;
   StatusText whole{message.source, severity, joined(part.chunks, *part.last)};
-  parts_.erase(it);
+  parts_.erase(key);
   return whole;
 }
 

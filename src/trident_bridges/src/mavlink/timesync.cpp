@@ -11,6 +11,11 @@ namespace {
 
 constexpr int kKept = 10;  // exchanges after which a longer round trip replaces a shorter one
 
+/// Anything may stand in a packet: what is not between 0 and now is no answer to a request.
+bool is_answer(const mavlink_timesync_t& payload, std::int64_t now_ns) {
+  return payload.tc1 > 0 && payload.ts1 >= 0 && payload.ts1 <= now_ns;
+}
+
 }  // namespace
 
 std::optional<Message> timesync_answer(const Message& message, Address self, std::int64_t now_ns) {
@@ -29,20 +34,22 @@ Message TimesyncClient::request(std::int64_t now_ns) const {
   return pack(payload, self_);
 }
 
+void TimesyncClient::keep_if_best(const TimeOffset& found) {
+  ++age_;
+  if (best_ && found.round_trip_ns > best_->round_trip_ns && age_ < kKept) return;
+  best_ = found;
+  age_ = 0;
+}
+
 std::optional<TimeOffset> TimesyncClient::handle(const Message& message, std::int64_t now_ns) {
   if (!is<mavlink_timesync_t>(message)) return std::nullopt;
   const auto payload = unpack<mavlink_timesync_t>(message);
-  // Anything may stand in a packet: what is not between 0 and now is no answer to a request.
-  if (payload.tc1 <= 0 || payload.ts1 < 0 || payload.ts1 > now_ns) return std::nullopt;
+  if (!is_answer(payload, now_ns)) return std::nullopt;
   TimeOffset found;
   found.round_trip_ns = now_ns - payload.ts1;
   if (found.round_trip_ns > kMaxRoundTrip_ns) return std::nullopt;
   if (!has_one_clock_) found.offset_ns = payload.tc1 - (payload.ts1 + found.round_trip_ns / 2);
-  ++age_;
-  if (!best_ || found.round_trip_ns <= best_->round_trip_ns || age_ >= kKept) {
-    best_ = found;
-    age_ = 0;
-  }
+  keep_if_best(found);
   return found;
 }
 

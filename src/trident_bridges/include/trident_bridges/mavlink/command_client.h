@@ -49,6 +49,7 @@ class CommandClient {
   };
 
   void transmit(const Pending& pending);
+  void repeat_if_due(Pending& pending, SimTime now);
   void end(std::size_t at, const CommandOutcome& outcome);
 
   Address self_;

@@ -41,7 +41,9 @@ class CommandServer {
   };
 
   void execute(Record record, SimTime now);
+  static bool is_repetition(const Record& record, const Record& known, SimTime now);
   Record* find_repeated(const Record& record, SimTime now);
+  void report_refusal(const CommandReply& reply) const;
   void acknowledge(const Record& record);
   void forget_old(SimTime now);
 

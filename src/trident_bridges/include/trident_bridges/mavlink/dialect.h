@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstring>
+#include <optional>
 
 #include "trident/mavlink.h"
 #include "trident_bridges/mavlink/message.h"
@@ -49,6 +50,15 @@ template <class Payload>
 Payload unpack(const Message& message) {
   Payload payload{};
   std::memcpy(&payload, message.payload.data(), PayloadTraits<Payload>::kLength);
+  return payload;
+}
+
+/// The struct of a message that is of its type and for `self`; nothing for any other one.
+template <class Payload>
+std::optional<Payload> unpack_if_for(const Message& message, Address self) {
+  if (!is<Payload>(message)) return std::nullopt;
+  const auto payload = unpack<Payload>(message);
+  if (!is_for({payload.target_system, payload.target_component}, self)) return std::nullopt;
   return payload;
 }
 

@@ -54,6 +54,8 @@ class MessageStreams {
   CommandReply set_interval(double id, double interval_us, SimTime now);
   CommandReply get_interval(double id);
   CommandReply request(double id);
+  Stream* find(double id);
+  void emit_if_due(std::uint32_t id, Stream& stream, SimTime now);
   void set_rate(Stream& stream, double rate_hz, SimTime now);
 
   Address self_;

@@ -59,6 +59,10 @@ class MissionClient {
 
   void begin(Transfer transfer, const Message& first, SimTime now);
   void send(const Message& message, SimTime now);
+  template <typename Payload, typename Use>
+  bool take(const Message& message, Kind kind, SimTime now, Use use);
+  bool handle_upload(const Message& message, SimTime now);
+  bool handle_download(const Message& message, SimTime now);
   void on_request(std::size_t item, bool is_int, SimTime now);
   void on_count(std::size_t count, SimTime now);
   void on_item(const Message& message, SimTime now);

@@ -17,6 +17,9 @@
 
 namespace trident::bridges::mavlink {
 
+struct ItemHeader;
+struct ReceivedItem;
+
 /// What a vehicle decides about its missions. Each may be left empty.
 struct MissionServerEvents {
   /// Whether an item may be part of a list.
@@ -73,7 +76,11 @@ class MissionServer {
 
   static std::size_t index(MissionType type) { return static_cast<std::size_t>(type); }
 
-  bool handle_list(const Message& message, SimTime now);
+  template <typename Payload, typename Use>
+  bool take(const Message& message, Use use);
+  bool handle_upload(const Message& message, SimTime now);
+  bool handle_download(const Message& message, SimTime now);
+  bool handle_order(const Message& message);
   void on_count(Address peer, std::uint8_t type, std::size_t count, SimTime now);
   void on_partial(Address peer, std::uint8_t type, int first, int last, SimTime now);
   void on_item(const Message& message, SimTime now);
@@ -86,6 +93,12 @@ class MissionServer {
   /// Begins an upload unless another partner's is in progress.
   void begin(Upload upload, SimTime now);
   void request_next(SimTime now);
+  void send_request();
+  bool uploads(Address peer, std::uint8_t type) const;
+  void accept_again(Address peer, const ItemHeader& last, SimTime now);
+  MissionVerdict verdict_of(const ReceivedItem& received) const;
+  void take_item(const ReceivedItem& received, SimTime now);
+  void clear_lists(std::uint8_t type);
   void finish(SimTime now);
   void fail(const MissionVerdict& verdict);
   void refuse(Address peer, std::uint8_t type, const MissionVerdict& verdict);

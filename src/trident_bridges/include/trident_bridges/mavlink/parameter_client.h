@@ -59,7 +59,10 @@ class ParameterClient {
 
   void request_list();
   void request_missing();
+  void request_again(SimTime now);
+  void give_fetch_up();
   void begin_set(SimTime now);
+  void update_set(SimTime now);
   void send_set();
   void end_set(bool is_good, const std::string& reason, SimTime now);
   void note_fetched(std::size_t index, std::size_t count, SimTime now);

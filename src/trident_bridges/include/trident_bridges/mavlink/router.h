@@ -83,6 +83,8 @@ class Router {
   bool is_within_rate(Peer& peer, SimTime now) const;
   void learn(Address source, RouterPeer from, SimTime now);
   void forward(const Packet& packet, RouterPeer from);
+  void add_receiver(RouterPeer peer, RouterPeer from);
+  bool add_routes(Address target, RouterPeer from);
   void find_receivers(Address target, RouterPeer from);
   void send_to(RouterPeer to, Bytes packet);
   const Peer* find(RouterPeer peer) const;

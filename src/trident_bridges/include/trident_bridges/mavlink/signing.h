@@ -93,6 +93,7 @@ class Signing {
 
  private:
   SignatureVerdict verdict(const Packet& packet);
+  SignatureVerdict verdict_of_signature(const Packet& packet);
   SignatureVerdict verdict_of_time(const SigningStream& stream, SigningTime time);
   std::array<std::uint8_t, 32> digest(Bytes packet, Bytes link_and_time);
   void save_ahead();

@@ -62,7 +62,11 @@ class StatusTextReader {
     std::optional<std::uint8_t> last;  // number of the last chunk
     SimTime begun;
   };
-  std::map<std::pair<Address, std::uint16_t>, Part> parts_;
+  using Key = std::pair<Address, std::uint16_t>;  // sender, id of the text
+
+  Part& part_of(const Key& key, SimTime now);
+
+  std::map<Key, Part> parts_;
 };
 
 }  // namespace trident::bridges::mavlink

@@ -36,6 +36,8 @@ class TimesyncClient {
   const std::optional<TimeOffset>& best() const { return best_; }
 
  private:
+  void keep_if_best(const TimeOffset& found);
+
   Address self_;
   bool has_one_clock_;
   std::optional<TimeOffset> best_;
