@@ -7,6 +7,7 @@ trident_bridges_room(vehicle
   src/vehicle/commands.cpp
   src/vehicle/geo_frame.cpp
   src/vehicle/mavlink_vehicle.cpp
+  src/vehicle/mavlink_vehicle_missions.cpp
   src/vehicle/missions.cpp
   src/vehicle/status_telemetry.cpp
   src/vehicle/sensor_telemetry.cpp

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "trident_base/angle.h"
+#include "trident_base/is_one_of.h"
 #include "trident_base/string_util.h"
 #include "trident_bridges/mavlink/dialect.h"
 #include "trident_bridges/mavlink/frames.h"
@@ -19,6 +20,30 @@ constexpr double kForced = 21196.0;    // param2 of MAV_CMD_COMPONENT_ARM_DISARM
 constexpr double kRoiLocation = 3.0;   // MAV_ROI_LOCATION
 constexpr double kCustomMode = 1.0;    // MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
 constexpr double kGreatestMode = 255;  // of PX4's main and sub mode
+
+/// Commands that change nothing but what is sent.
+constexpr std::uint16_t kQuestions[] = {MAV_CMD_GET_MESSAGE_INTERVAL,
+                                        MAV_CMD_SET_MESSAGE_INTERVAL,
+                                        MAV_CMD_REQUEST_MESSAGE,
+                                        MAV_CMD_REQUEST_PROTOCOL_VERSION,
+                                        MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES,
+                                        MAV_CMD_GET_HOME_POSITION,
+                                        MAV_CMD_RUN_PREARM_CHECKS};
+
+/// Messages that change something, apart from commands.
+constexpr std::uint32_t kOrders[] = {MAVLINK_MSG_ID_SET_MODE,
+                                     MAVLINK_MSG_ID_PARAM_SET,
+                                     MAVLINK_MSG_ID_MISSION_ITEM,
+                                     MAVLINK_MSG_ID_MISSION_ITEM_INT,
+                                     MAVLINK_MSG_ID_MISSION_CLEAR_ALL,
+                                     MAVLINK_MSG_ID_MISSION_SET_CURRENT,
+                                     MAVLINK_MSG_ID_MANUAL_CONTROL,
+                                     MAVLINK_MSG_ID_RC_CHANNELS_OVERRIDE,
+                                     MAVLINK_MSG_ID_SET_ATTITUDE_TARGET,
+                                     MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED,
+                                     MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT,
+                                     MAVLINK_MSG_ID_SET_HOME_POSITION,
+                                     MAVLINK_MSG_ID_SET_GPS_GLOBAL_ORIGIN};
 
 struct Asked {
   const Command& command;
@@ -34,13 +59,17 @@ CommandReply refuse(const Asked& asked, std::size_t number, const char* legal) {
           0};
 }
 
+/// Of param 5 to 7; COMMAND_LONG names none.
+std::uint8_t frame_of(const Asked& asked) {
+  if (asked.command.is_int) return asked.command.frame;
+  return asked.flavor == Flavor::kPx4 ? MAV_FRAME_GLOBAL : MAV_FRAME_GLOBAL_RELATIVE_ALT;
+}
+
 /// Param 5 to 7 in the world; nullopt where the frame has no places or a number is missing.
 std::optional<Eigen::Vector3d> place_of(const Asked& asked) {
   const Eigen::Vector3d numbers(asked.param(5), asked.param(6), asked.param(7));
   if (!numbers.allFinite()) return std::nullopt;
-  const std::uint8_t frame_of_long =
-      asked.flavor == Flavor::kPx4 ? MAV_FRAME_GLOBAL : MAV_FRAME_GLOBAL_RELATIVE_ALT;
-  const std::uint8_t frame = asked.command.is_int ? asked.command.frame : frame_of_long;
+  const std::uint8_t frame = frame_of(asked);
   if (is_global_frame(frame) &&
       !(std::abs(numbers.x()) <= 90.0 && std::abs(numbers.y()) <= 180.0)) {
     return std::nullopt;
@@ -53,14 +82,20 @@ Interpretation arm(const Asked& asked) {
   return ArmRequest{asked.param(1) == 1.0, asked.param(2) == kForced};
 }
 
+bool is_custom_mode(double base) {
+  return base >= 0.0 && base < 256.0 && std::fmod(base, 2.0) == kCustomMode;
+}
+
+bool is_mode_number(double value) { return value >= 0.0 && value <= kGreatestMode; }
+
 Interpretation set_mode(const Asked& asked) {
-  const double base = asked.param(1), main = asked.param(2);
-  const bool is_custom = base >= 0.0 && base < 256.0 && std::fmod(base, 2.0) == kCustomMode;
-  if (!is_custom) return refuse(asked, 1, "an odd number: the mode is that of param2");
-  if (!(main >= 0.0 && main <= kGreatestMode)) return refuse(asked, 2, "0 to 255");
+  const double main = asked.param(2);
+  if (!is_custom_mode(asked.param(1)))
+    return refuse(asked, 1, "an odd number: the mode is that of param2");
+  if (!is_mode_number(main)) return refuse(asked, 2, "0 to 255");
   if (asked.flavor == Flavor::kArduPilot) return ModeRequest{static_cast<std::uint32_t>(main)};
   const double sub = std::isnan(asked.param(3)) ? 0.0 : asked.param(3);
-  if (!(sub >= 0.0 && sub <= kGreatestMode)) return refuse(asked, 3, "0 to 255");
+  if (!is_mode_number(sub)) return refuse(asked, 3, "0 to 255");
   return ModeRequest{static_cast<std::uint32_t>(main) << 16 | static_cast<std::uint32_t>(sub)
                                                                   << 24};
 }
@@ -186,33 +221,13 @@ Interpretation interpret(const Command& command, Flavor flavor, const PlaceConte
 }
 
 bool changes_behavior(const Message& message) {
-  const auto is_question = [](std::uint16_t command) {
-    return command == MAV_CMD_GET_MESSAGE_INTERVAL || command == MAV_CMD_SET_MESSAGE_INTERVAL ||
-           command == MAV_CMD_REQUEST_MESSAGE || command == MAV_CMD_REQUEST_PROTOCOL_VERSION ||
-           command == MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES ||
-           command == MAV_CMD_GET_HOME_POSITION || command == MAV_CMD_RUN_PREARM_CHECKS;
-  };
   switch (message.id) {
     case MAVLINK_MSG_ID_COMMAND_LONG:
-      return !is_question(unpack<mavlink_command_long_t>(message).command);
+      return !is_one_of(unpack<mavlink_command_long_t>(message).command, kQuestions);
     case MAVLINK_MSG_ID_COMMAND_INT:
-      return !is_question(unpack<mavlink_command_int_t>(message).command);
-    case MAVLINK_MSG_ID_SET_MODE:
-    case MAVLINK_MSG_ID_PARAM_SET:
-    case MAVLINK_MSG_ID_MISSION_ITEM:
-    case MAVLINK_MSG_ID_MISSION_ITEM_INT:
-    case MAVLINK_MSG_ID_MISSION_CLEAR_ALL:
-    case MAVLINK_MSG_ID_MISSION_SET_CURRENT:
-    case MAVLINK_MSG_ID_MANUAL_CONTROL:
-    case MAVLINK_MSG_ID_RC_CHANNELS_OVERRIDE:
-    case MAVLINK_MSG_ID_SET_ATTITUDE_TARGET:
-    case MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED:
-    case MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT:
-    case MAVLINK_MSG_ID_SET_HOME_POSITION:
-    case MAVLINK_MSG_ID_SET_GPS_GLOBAL_ORIGIN:
-      return true;
+      return !is_one_of(unpack<mavlink_command_int_t>(message).command, kQuestions);
     default:
-      return false;
+      return is_one_of(message.id, kOrders);
   }
 }
 

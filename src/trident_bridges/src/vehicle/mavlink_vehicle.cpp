@@ -13,23 +13,14 @@
 #include "trident_bridges/mavlink/small_services.h"
 #include "trident_bridges/mavlink/timesync.h"
 #include "trident_bridges/vehicle/commands.h"
-#include "trident_bridges/vehicle/missions.h"
 #include "trident_bridges/vehicle/targets.h"
+#include "vehicle/vehicle_class.h"
 
 namespace trident::bridges::mavlink {
 namespace {
 
 constexpr double kGroundStationTimeout_s = 10.0;  // of the monitor alone, which nobody hears
 constexpr double kSameRefusal_s = 5.0;            // between two texts about set-points
-
-Flavor flavor_of(AutopilotFlavour flavour) {
-  return flavour == AutopilotFlavour::kPx4 ? Flavor::kPx4 : Flavor::kArduPilot;
-}
-
-VehicleClass class_of(VehicleKind kind) {
-  if (kind == VehicleKind::kRover) return VehicleClass::kGround;
-  return kind == VehicleKind::kBoat ? VehicleClass::kVessel : VehicleClass::kMultirotor;
-}
 
 std::vector<Parameter> parameters_of(const ParameterTable& table) {
   std::vector<Parameter> parameters;
@@ -38,6 +29,20 @@ std::vector<Parameter> parameters_of(const ParameterTable& table) {
     parameters.push_back({one.name, type, one.value, one.min, one.max});
   }
   return parameters;
+}
+
+/// Of a command that asks for one message alone.
+std::optional<std::uint32_t> message_asked_for(std::uint16_t command) {
+  switch (command) {
+    case MAV_CMD_GET_HOME_POSITION:
+      return MAVLINK_MSG_ID_HOME_POSITION;
+    case MAV_CMD_REQUEST_PROTOCOL_VERSION:
+      return MAVLINK_MSG_ID_PROTOCOL_VERSION;
+    case MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES:
+      return MAVLINK_MSG_ID_AUTOPILOT_VERSION;
+    default:
+      return std::nullopt;
+  }
 }
 
 /// Firmware whose modes, names and rules are imitated.
@@ -113,28 +118,26 @@ bool MavlinkVehicle::handle_protocol(const Message& message, SimTime now) {
 }
 
 bool MavlinkVehicle::handle_set_point(const Message& message, const BothTimes& both) {
-  const SimTime now = both.simulated;
   if (const auto received = read_target(message, self_, places())) {
-    if (!received->problem.empty()) {
-      refuse_set_point(received->problem, now);
-      return true;
-    }
-    const Answer answer =
-        autopilot_.set_target(received->target, received->stamp.value_or(now), now);
-    if (answer.result != Result::kDenied) newest_.set_point = both;
-    // They may come before a mode that follows them; that is no mistake.
-    const bool should_follow =
-        autopilot_.mode() == Mode::kGuided || autopilot_.mode() == Mode::kOffboard;
-    if (!answer.is_good() && (should_follow || answer.result == Result::kDenied)) {
-      refuse_set_point(answer.text, now);
-    }
+    follow(*received, both);
     return true;
   }
   if (const auto sticks = stations_.sticks.read(message)) {
-    autopilot_.set_sticks(*sticks, now);
+    autopilot_.set_sticks(*sticks, both.simulated);
     return true;
   }
   return false;
+}
+
+void MavlinkVehicle::follow(const ReceivedTarget& received, const BothTimes& both) {
+  const SimTime now = both.simulated;
+  if (!received.problem.empty()) return refuse_set_point(received.problem, now);
+  const Answer answer = autopilot_.set_target(received.target, received.stamp.value_or(now), now);
+  const bool is_denied = answer.result == Result::kDenied;
+  if (!is_denied) newest_.set_point = both;
+  // They may come before a mode that follows them; that is no mistake.
+  const bool is_mistake = is_denied || follows_targets(autopilot_.mode());
+  if (!answer.is_good() && is_mistake) refuse_set_point(answer.text, now);
 }
 
 /// Set-points come often: the same reason is said once in a while.
@@ -148,25 +151,35 @@ void MavlinkVehicle::refuse_set_point(const std::string& reason, SimTime now) {
 }
 
 bool MavlinkVehicle::handle_setting(const Message& message, SimTime now) {
-  std::optional<Answer> answer;
   if (is<mavlink_set_mode_t>(message)) {
     const auto payload = unpack<mavlink_set_mode_t>(message);
     if (payload.target_system != self_.system) return false;
-    const bool is_custom = (payload.base_mode & MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) != 0;
-    if (is_custom && waits_for_set_points(payload.custom_mode, now)) return true;
-    answer = is_custom ? autopilot_.handle(ModeRequest{payload.custom_mode}, now)
-                       : denied("SET_MODE: base_mode " + std::to_string(payload.base_mode) +
-                                ", legal: an odd number, with the mode in custom_mode");
-  } else if (is<mavlink_set_home_position_t>(message)) {
+    set_mode(payload.base_mode, payload.custom_mode, now);
+    return true;
+  }
+  if (is<mavlink_set_home_position_t>(message)) {
     const auto payload = unpack<mavlink_set_home_position_t>(message);
     if (payload.target_system != self_.system) return false;
     const GeoPlace home{payload.latitude / 1e7, payload.longitude / 1e7, payload.altitude / 1e3};
-    answer = autopilot_.handle(HomeRequest{geo_.to_world(home)}, now);
+    say_refusal(autopilot_.handle(HomeRequest{geo_.to_world(home)}, now));
+    return true;
   }
-  if (!answer) return false;
-  const CommandReply reply = to_reply(*answer);
+  return false;
+}
+
+void MavlinkVehicle::set_mode(std::uint8_t base_mode, std::uint32_t custom_mode, SimTime now) {
+  if ((base_mode & MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) == 0) {
+    return say_refusal(denied("SET_MODE: base_mode " + std::to_string(base_mode) +
+                              ", legal: an odd number, with the mode in custom_mode"));
+  }
+  if (waits_for_set_points(custom_mode, now)) return;
+  say_refusal(autopilot_.handle(ModeRequest{custom_mode}, now));
+}
+
+/// For messages that have no answer of their own.
+void MavlinkVehicle::say_refusal(const Answer& answer) {
+  const CommandReply reply = to_reply(answer);
   if (!reply.reason.empty()) say(Severity::kError, reply.reason);
-  return true;
 }
 
 bool MavlinkVehicle::answer_small_services(const Message& message, SimTime now) {
@@ -182,18 +195,14 @@ bool MavlinkVehicle::answer_small_services(const Message& message, SimTime now) 
   return is_answered;
 }
 
+CommandReply MavlinkVehicle::emit_asked(std::uint32_t id) {
+  if (emit(id)) return {};
+  return {CommandResult::kTemporarilyRejected, "home: it is not known", 0};
+}
+
 CommandReply MavlinkVehicle::execute(const Command& command, SimTime now) {
   if (auto reply = streams_.execute(command, now)) return *std::move(reply);
-  std::uint32_t wanted = 0;
-  if (command.command == MAV_CMD_GET_HOME_POSITION) wanted = MAVLINK_MSG_ID_HOME_POSITION;
-  if (command.command == MAV_CMD_REQUEST_PROTOCOL_VERSION) wanted = MAVLINK_MSG_ID_PROTOCOL_VERSION;
-  if (command.command == MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES) {
-    wanted = MAVLINK_MSG_ID_AUTOPILOT_VERSION;
-  }
-  if (wanted != 0) {
-    if (emit(wanted)) return {};
-    return {CommandResult::kTemporarilyRejected, "home: it is not known", 0};
-  }
+  if (const auto wanted = message_asked_for(command.command)) return emit_asked(*wanted);
   const Interpretation asked = interpret(command, flavor_of(options_.flavour), places());
   if (const auto* reply = std::get_if<CommandReply>(&asked)) return *reply;
   const auto& request = std::get<Request>(asked);
@@ -280,68 +289,6 @@ Setpoint MavlinkVehicle::step(SimTime now, const VehicleState& state) {
   Setpoint setpoint = autopilot_.step(now, state);
   flush_events({});
   return setpoint;
-}
-
-MissionServerEvents MavlinkVehicle::mission_events() {
-  MissionServerEvents events;
-  events.check_mission = [this](MissionType type, const Mission& list) {
-    return check_mission(type, list);
-  };
-  events.changed = [this](MissionType type) { load_list(type); };
-  events.set_current = [this](std::uint16_t index) {
-    return to_verdict(autopilot_.handle(MissionItemRequest{index}, newest_.now));
-  };
-  events.refused = [this](const std::string& reason) { say(Severity::kError, reason); };
-  return events;
-}
-
-MissionVerdict MavlinkVehicle::check_mission(MissionType type, const Mission& list) {
-  if (type == MissionType::kMission) {
-    MissionVerdict verdict = to_verdict(bridges::check_mission(
-        to_autopilot(list, flavor_of(options_.flavour), places()), class_of(options_.kind)));
-    if (verdict.is_accepted()) note_payload_items(list);
-    return verdict;
-  }
-  if (type == MissionType::kRally) return {};
-  std::vector<Fence::Region> regions;
-  MissionVerdict verdict = read_fence(list, places(), regions);
-  if (!verdict.is_accepted()) return verdict;
-  verdict = to_verdict(autopilot_.load_fence(std::move(regions)));
-  const std::string notice = notice_of_fence(list);
-  if (verdict.is_accepted() && !notice.empty()) say(Severity::kNotice, notice);
-  return verdict;
-}
-
-/// Items without effect are named once, with the upload.
-void MavlinkVehicle::note_payload_items(const Mission& list) {
-  const auto is_without_effect = [](const MissionItem& item) {
-    return is_for_payload(item.command);
-  };
-  const auto first = std::find_if(list.begin(), list.end(), is_without_effect);
-  if (first == list.end()) return;
-  const auto count = std::count_if(first, list.end(), is_without_effect);
-  say(Severity::kNotice,
-      "mission: items for cameras, gimbals or relays have no effect: " + std::to_string(count) +
-          ", from item " + std::to_string(first - list.begin()) + " (command " +
-          std::to_string(first->command) + ")");
-}
-
-/// Gives a list that was checked to the autopilot.
-void MavlinkVehicle::load_list(MissionType type) {
-  if (type == MissionType::kFence) {
-    std::vector<Fence::Region> regions;
-    read_fence(missions_.mission(type), places(), regions);
-    autopilot_.load_fence(std::move(regions));
-  }
-  if (type != MissionType::kMission) return;
-  const Flavor flavor = flavor_of(options_.flavour);
-  if (flavor == Flavor::kArduPilot && autopilot_.home() &&
-      !missions_.mission(MissionType::kMission).empty()) {
-    Mission list = missions_.mission(MissionType::kMission);
-    list.front() = home_item(geo_.to_geo(*autopilot_.home()));
-    missions_.set_mission(MissionType::kMission, std::move(list));
-  }
-  autopilot_.load_mission(to_autopilot(missions_.mission(MissionType::kMission), flavor, places()));
 }
 
 }  // namespace trident::bridges::mavlink

@@ -70,6 +70,11 @@ bool is_no_circle(const MissionItem& item) {
   return is_circle(item.command) && item.params[0] == 0.0F;
 }
 
+/// A breach holds, returns home or lands: there is no other place to return to.
+bool has_no_region(const MissionItem& item) {
+  return is_no_circle(item) || item.command == MAV_CMD_NAV_FENCE_RETURN_POINT;
+}
+
 Eigen::Vector2d flat_place(const MissionItem& item, const PlaceContext& context) {
   const auto place = place_in_world(item.frame, numbers_of(item), context);
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -130,8 +135,7 @@ MissionItem home_item(const GeoPlace& home) {
 MissionVerdict read_fence(const Mission& list, const PlaceContext& context,
                           std::vector<Fence::Region>& regions) {
   for (std::size_t i = 0; i < list.size();) {
-    // A breach holds, returns home or lands: there is no other place to return to.
-    if (is_no_circle(list[i]) || list[i].command == MAV_CMD_NAV_FENCE_RETURN_POINT) {
+    if (has_no_region(list[i])) {
       ++i;
       continue;
     }

@@ -69,16 +69,25 @@ std::optional<Message> attitude_target(const TelemetrySource& source) {
   return pack(payload, source.self);
 }
 
+/// Where the current item of a mission leads, if it does.
+std::optional<Eigen::Vector3d> place_of_current(const MissionExecutor& mission) {
+  if (mission.current() >= mission.size()) return std::nullopt;
+  const auto& item = mission.items()[static_cast<std::size_t>(mission.current())];
+  if (!item.has_place || !is_navigation(item.command)) return std::nullopt;
+  return item.p_world_m;
+}
+
+/// Where the mode leads, if it does.
+std::optional<Eigen::Vector3d> destination_of_mode(const Autopilot& autopilot) {
+  if (autopilot.mode() == Mode::kMission) return place_of_current(autopilot.mission());
+  if (autopilot.mode() == Mode::kReturn) return autopilot.home();
+  return std::nullopt;
+}
+
 /// Where a vehicle goes, if it does.
 std::optional<Eigen::Vector3d> destination(const TelemetrySource& source) {
-  const MissionExecutor& mission = source.autopilot.mission();
-  const Mode mode = source.autopilot.mode();
   if (!source.autopilot.is_armed()) return std::nullopt;
-  if (mode == Mode::kMission && mission.current() < mission.size()) {
-    const auto& item = mission.items()[static_cast<std::size_t>(mission.current())];
-    if (item.has_place && is_navigation(item.command)) return item.p_world_m;
-  }
-  if (mode == Mode::kReturn && source.autopilot.home()) return source.autopilot.home();
+  if (const auto place = destination_of_mode(source.autopilot)) return place;
   const Setpoint& setpoint = source.autopilot.setpoint();
   if (setpoint.kind == Kind::kLeg || setpoint.kind == Kind::kTrajectory) return setpoint.p_m;
   return std::nullopt;

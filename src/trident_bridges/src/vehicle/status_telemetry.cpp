@@ -14,6 +14,9 @@ namespace trident::bridges::mavlink {
 namespace {
 
 constexpr double kCritical = 0.07;  // of the battery's charge
+// Clients call a vehicle ready that has a compass. The estimator's heading is as good.
+constexpr unsigned kEstimator =
+    MAV_SYS_STATUS_SENSOR_GPS | MAV_SYS_STATUS_SENSOR_3D_MAG | MAV_SYS_STATUS_AHRS;
 constexpr std::uint16_t kNoVoltage = std::numeric_limits<std::uint16_t>::max();
 
 std::uint8_t type_of(VehicleKind kind) {
@@ -88,25 +91,26 @@ std::int16_t centiamperes(double current_a) {
   return std::max<std::int16_t>(to_whole<std::int16_t>(1e2 * current_a), 0);
 }
 
+/// As bits of MAV_SYS_STATUS_SENSOR.
+unsigned failing_sensors(const TelemetrySource& source) {
+  const Autopilot& autopilot = source.autopilot;
+  unsigned failing = 0;
+  const bool can_arm = autopilot.is_armed() || autopilot.arming_problems(source.now).empty();
+  if (!can_arm) failing |= MAV_SYS_STATUS_PREARM_CHECK;
+  if (!source.state.position_stamp) return failing | kEstimator;
+  if (autopilot.fence().breach(source.state.p_world_m)) failing |= MAV_SYS_STATUS_GEOFENCE;
+  return failing;
+}
+
 Message sys_status(const TelemetrySource& source) {
   mavlink_sys_status_t payload{};
-  // Clients call a vehicle ready that has a compass. The estimator's heading is as good.
-  constexpr unsigned kEstimator =
-      MAV_SYS_STATUS_SENSOR_GPS | MAV_SYS_STATUS_SENSOR_3D_MAG | MAV_SYS_STATUS_AHRS;
   unsigned present = MAV_SYS_STATUS_SENSOR_3D_GYRO | MAV_SYS_STATUS_SENSOR_3D_ACCEL | kEstimator |
                      MAV_SYS_STATUS_PREARM_CHECK;
   if (!std::isnan(source.state.battery)) present |= MAV_SYS_STATUS_SENSOR_BATTERY;
   present |= MAV_SYS_STATUS_GEOFENCE;
   payload.onboard_control_sensors_present = present;
   payload.onboard_control_sensors_enabled = present;
-  const bool can_arm =
-      source.autopilot.is_armed() || source.autopilot.arming_problems(source.now).empty();
-  if (!can_arm) present &= ~static_cast<unsigned>(MAV_SYS_STATUS_PREARM_CHECK);
-  if (!source.state.position_stamp) present &= ~kEstimator;
-  const bool breaks_fence = source.state.position_stamp &&
-                            source.autopilot.fence().breach(source.state.p_world_m).has_value();
-  if (breaks_fence) present &= ~static_cast<unsigned>(MAV_SYS_STATUS_GEOFENCE);
-  payload.onboard_control_sensors_health = present;
+  payload.onboard_control_sensors_health = present & ~failing_sensors(source);
   payload.voltage_battery = millivolts(source.readings.voltage_V);
   payload.current_battery = centiamperes(source.readings.current_A);
   payload.battery_remaining = percent_left(source.state);
@@ -143,23 +147,25 @@ Message system_time(const TelemetrySource& source) {
   return pack(payload, source.self);
 }
 
+bool has_ended(const MissionExecutor& mission) {
+  return mission.size() > 0 && mission.current() == mission.size();
+}
+
+std::uint8_t mission_state(const MissionExecutor& mission, bool is_active) {
+  if (mission.size() == 0) return MISSION_STATE_NO_MISSION;
+  if (has_ended(mission)) return MISSION_STATE_COMPLETE;
+  if (is_active) return MISSION_STATE_ACTIVE;
+  return mission.current() == 0 ? MISSION_STATE_NOT_STARTED : MISSION_STATE_PAUSED;
+}
+
 Message mission_current(const TelemetrySource& source) {
   const MissionExecutor& mission = source.autopilot.mission();
   mavlink_mission_current_t payload{};
-  const bool is_complete = mission.size() > 0 && mission.current() == mission.size();
+  const bool is_complete = has_ended(mission);
   payload.seq = static_cast<std::uint16_t>(is_complete ? mission.size() - 1 : mission.current());
   payload.total = static_cast<std::uint16_t>(mission.size());
   const bool is_active = source.autopilot.is_armed() && source.autopilot.mode() == Mode::kMission;
-  if (mission.size() == 0) {
-    payload.mission_state = MISSION_STATE_NO_MISSION;
-  } else if (is_complete) {
-    payload.mission_state = MISSION_STATE_COMPLETE;
-  } else if (is_active) {
-    payload.mission_state = MISSION_STATE_ACTIVE;
-  } else {
-    payload.mission_state =
-        mission.current() == 0 ? MISSION_STATE_NOT_STARTED : MISSION_STATE_PAUSED;
-  }
+  payload.mission_state = mission_state(mission, is_active);
   payload.mission_mode = is_active ? 1 : 2;
   return pack(payload, source.self);
 }

@@ -29,35 +29,54 @@ bool is_given(unsigned mask, unsigned bits, const char* part, std::string& probl
   return ignored == 0;
 }
 
+bool is_local_frame(std::uint8_t frame) {
+  return frame == MAV_FRAME_LOCAL_NED || frame == MAV_FRAME_LOCAL_OFFSET_NED ||
+         is_body_frame(frame);
+}
+
 std::optional<SimTime> stamp_of(std::uint32_t time_boot_ms) {
   if (time_boot_ms == 0) return std::nullopt;
   return SimTime{std::int64_t{time_boot_ms} * 1'000'000};
 }
 
-/// All but the place, which its caller has read.
 template <class Payload>
-void read_motion(const Payload& payload, const PlaceContext& context, ReceivedTarget& received) {
+void read_derivatives(const Payload& payload, double yaw, ReceivedTarget& received) {
   const unsigned mask = payload.type_mask;
   const std::uint8_t frame = payload.coordinate_frame;
   Target& target = received.target;
-  std::string& problem = received.problem;
-  if (is_given(mask, kNoVelocity, "velocity", problem)) {
-    target.v_m_s = direction_in_world(frame, {payload.vx, payload.vy, payload.vz}, context.yaw);
+  if (is_given(mask, kNoVelocity, "velocity", received.problem)) {
+    target.v_m_s = direction_in_world(frame, {payload.vx, payload.vy, payload.vz}, yaw);
   }
-  if (is_given(mask, kNoAcceleration, "acceleration", problem)) {
-    target.a_m_s2 = direction_in_world(frame, {payload.afx, payload.afy, payload.afz}, context.yaw);
+  if (is_given(mask, kNoAcceleration, "acceleration", received.problem)) {
+    target.a_m_s2 = direction_in_world(frame, {payload.afx, payload.afy, payload.afz}, yaw);
   }
   if (target.a_m_s2 && (mask & kForce) != 0) {
-    problem = "set-point: forces (type_mask bit 9) are not supported";
+    received.problem = "set-point: forces (type_mask bit 9) are not supported";
   }
-  if ((mask & kNoYaw) == 0) {
-    target.yaw =
-        is_body_frame(frame) ? wrap_to_pi(context.yaw - payload.yaw) : swap_yaw(payload.yaw);
+}
+
+template <class Payload>
+void read_heading(const Payload& payload, double yaw, Target& target) {
+  if ((payload.type_mask & kNoYaw) == 0) {
+    target.yaw = is_body_frame(payload.coordinate_frame) ? wrap_to_pi(yaw - payload.yaw)
+                                                         : swap_yaw(payload.yaw);
   }
-  if ((mask & kNoYawRate) == 0) target.yaw_rate = swap_yaw_rate(payload.yaw_rate);
-  const bool is_empty = !target.p_m && !target.v_m_s && !target.a_m_s2;
-  if (is_empty && !target.yaw && !target.yaw_rate && problem.empty()) {
-    problem = "set-point: type_mask " + std::to_string(mask) + " ignores everything";
+  if ((payload.type_mask & kNoYawRate) == 0) target.yaw_rate = swap_yaw_rate(payload.yaw_rate);
+}
+
+bool is_empty(const Target& target) {
+  const bool moves = target.p_m || target.v_m_s || target.a_m_s2;
+  return !moves && !target.yaw && !target.yaw_rate;
+}
+
+/// All but the place, which its caller has read.
+template <class Payload>
+void read_motion(const Payload& payload, const PlaceContext& context, ReceivedTarget& received) {
+  read_derivatives(payload, context.yaw, received);
+  read_heading(payload, context.yaw, received.target);
+  if (is_empty(received.target) && received.problem.empty()) {
+    received.problem =
+        "set-point: type_mask " + std::to_string(payload.type_mask) + " ignores everything";
   }
 }
 
@@ -79,36 +98,51 @@ ReceivedTarget read_place_target(const Payload& payload, const Eigen::Vector3d& 
   return received;
 }
 
-void read_attitude(const mavlink_set_attitude_target_t& payload, ReceivedTarget& received) {
-  const unsigned mask = payload.type_mask;
-  Target& target = received.target;
-  if ((mask & kNoAttitude) == 0) {
-    Eigen::Quaterniond q(payload.q[0], payload.q[1], payload.q[2], payload.q[3]);
-    if (!(q.norm() > 0.5 && q.norm() < 2.0)) {
-      received.problem = "set-point: norm of q is " + number_text(q.norm()) + ", legal: 1";
-      return;
-    }
-    q.normalize();
-    target.R_world_body = swap_attitude(q);
+/// False: the quaternion is no rotation.
+bool read_rotation(const mavlink_set_attitude_target_t& payload, ReceivedTarget& received) {
+  if ((payload.type_mask & kNoAttitude) != 0) return true;
+  Eigen::Quaterniond q(payload.q[0], payload.q[1], payload.q[2], payload.q[3]);
+  if (!(q.norm() > 0.5 && q.norm() < 2.0)) {
+    received.problem = "set-point: norm of q is " + number_text(q.norm()) + ", legal: 1";
+    return false;
   }
+  q.normalize();
+  received.target.R_world_body = swap_attitude(q);
+  return true;
+}
+
+void read_rates(const mavlink_set_attitude_target_t& payload, ReceivedTarget& received) {
+  const unsigned mask = payload.type_mask;
   const Eigen::Vector3d rates(payload.body_roll_rate, payload.body_pitch_rate,
                               payload.body_yaw_rate);
   if ((mask & kNoRates) == kNoRollPitchRate) {
-    target.yaw_rate = swap_yaw_rate(payload.body_yaw_rate);
+    received.target.yaw_rate = swap_yaw_rate(payload.body_yaw_rate);
   } else if (is_given(mask, kNoRates, "body rates", received.problem)) {
-    target.w_body_rad_s = swap_body(rates);
+    received.target.w_body_rad_s = swap_body(rates);
   }
-  if ((mask & kNoThrust) != 0) {
+}
+
+/// False: it is missing, and without it nothing can be followed.
+bool read_thrust(const mavlink_set_attitude_target_t& payload, ReceivedTarget& received) {
+  if ((payload.type_mask & kNoThrust) != 0) {
     received.problem = "set-point: attitude and rates need a thrust (type_mask bit 6 is set)";
-    return;
+    return false;
   }
-  target.thrust = payload.thrust;
-  if (!target.R_world_body && !target.w_body_rad_s && received.problem.empty()) {
-    received.problem =
-        "set-point: type_mask " + std::to_string(mask) + " ignores both attitude and rates";
-  }
+  received.target.thrust = payload.thrust;
   if (!(payload.thrust >= 0.0F && payload.thrust <= 1.0F)) {
     received.problem = "set-point: thrust " + number_text(payload.thrust) + ", legal: 0 to 1";
+  }
+  return true;
+}
+
+void read_attitude(const mavlink_set_attitude_target_t& payload, ReceivedTarget& received) {
+  if (!read_rotation(payload, received)) return;
+  read_rates(payload, received);
+  if (!read_thrust(payload, received)) return;
+  const Target& target = received.target;
+  if (!target.R_world_body && !target.w_body_rad_s && received.problem.empty()) {
+    received.problem = "set-point: type_mask " + std::to_string(payload.type_mask) +
+                       " ignores both attitude and rates";
   }
 }
 
@@ -116,31 +150,20 @@ void read_attitude(const mavlink_set_attitude_target_t& payload, ReceivedTarget&
 
 std::optional<ReceivedTarget> read_target(const Message& message, Address self,
                                           const PlaceContext& context) {
-  const auto is_mine = [&](const auto& payload) {
-    return is_for({payload.target_system, payload.target_component}, self);
-  };
-  if (is<mavlink_set_position_target_local_ned_t>(message)) {
-    const auto payload = unpack<mavlink_set_position_target_local_ned_t>(message);
-    if (!is_mine(payload)) return std::nullopt;
-    const std::uint8_t frame = payload.coordinate_frame;
-    const bool is_local =
-        frame == MAV_FRAME_LOCAL_NED || frame == MAV_FRAME_LOCAL_OFFSET_NED || is_body_frame(frame);
-    return read_place_target(payload, {payload.x, payload.y, payload.z}, is_local, context);
+  if (const auto payload = unpack_if_for<mavlink_set_position_target_local_ned_t>(message, self)) {
+    return read_place_target(*payload, {payload->x, payload->y, payload->z},
+                             is_local_frame(payload->coordinate_frame), context);
   }
-  if (is<mavlink_set_position_target_global_int_t>(message)) {
-    const auto payload = unpack<mavlink_set_position_target_global_int_t>(message);
-    if (!is_mine(payload)) return std::nullopt;
-    return read_place_target(
-        payload,
-        {payload.lat_int / kUnits_per_degree, payload.lon_int / kUnits_per_degree, payload.alt},
-        is_global_frame(payload.coordinate_frame), context);
+  if (const auto payload = unpack_if_for<mavlink_set_position_target_global_int_t>(message, self)) {
+    const Eigen::Vector3d place(payload->lat_int / kUnits_per_degree,
+                                payload->lon_int / kUnits_per_degree, payload->alt);
+    return read_place_target(*payload, place, is_global_frame(payload->coordinate_frame), context);
   }
-  if (!is<mavlink_set_attitude_target_t>(message)) return std::nullopt;
-  const auto payload = unpack<mavlink_set_attitude_target_t>(message);
-  if (!is_mine(payload)) return std::nullopt;
+  const auto payload = unpack_if_for<mavlink_set_attitude_target_t>(message, self);
+  if (!payload) return std::nullopt;
   ReceivedTarget received;
-  received.stamp = stamp_of(payload.time_boot_ms);
-  read_attitude(payload, received);
+  received.stamp = stamp_of(payload->time_boot_ms);
+  read_attitude(*payload, received);
   return received;
 }
 

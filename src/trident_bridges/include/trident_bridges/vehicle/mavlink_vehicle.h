@@ -20,6 +20,8 @@
 
 namespace trident::bridges::mavlink {
 
+struct ReceivedTarget;
+
 /// Which vehicle, and where its world is.
 struct MavlinkVehicleOptions {
   VehicleKind kind = VehicleKind::kQuadrotor;         ///< what moves it
@@ -57,14 +59,19 @@ class MavlinkVehicle {
  private:
   bool handle_protocol(const Message& message, SimTime now);
   bool handle_set_point(const Message& message, const BothTimes& both);
+  void follow(const ReceivedTarget& received, const BothTimes& both);
   bool handle_setting(const Message& message, SimTime now);
+  void set_mode(std::uint8_t base_mode, std::uint32_t custom_mode, SimTime now);
+  void say_refusal(const Answer& answer);
   bool answer_small_services(const Message& message, SimTime now);
   CommandReply execute(const Command& command, SimTime now);
+  CommandReply emit_asked(std::uint32_t id);
   CommandReply to_reply(const Answer& answer);
   bool waits_for_set_points(std::uint32_t custom_mode, SimTime now);
   void decide_awaited_mode(SimTime now);
   MissionServerEvents mission_events();
   MissionVerdict check_mission(MissionType type, const Mission& list);
+  MissionVerdict check_fence(const Mission& list);
   void note_payload_items(const Mission& list);
   void load_list(MissionType type);
   void on_home_changed();
