@@ -4,20 +4,24 @@
 trident_bridges_room(modbus
   src/modbus/client.cpp
   src/modbus/device_identity.cpp
+  src/modbus/field_path.cpp
   src/modbus/map_checks.cpp
   src/modbus/mbap.cpp
   src/modbus/message_definition.cpp
   src/modbus/message_fields.cpp
+  src/modbus/message_writer.cpp
   src/modbus/pdu.cpp
   src/modbus/read_blocks.cpp
   src/modbus/register_image.cpp
   src/modbus/register_map.cpp
   src/modbus/response.cpp
+  src/modbus/ros_names.cpp
   src/modbus/rtu.cpp
   src/modbus/scalar_codec.cpp
   src/modbus/server.cpp
   src/modbus/topic_bindings.cpp
   src/modbus/value.cpp
+  src/modbus/value_type.cpp
   src/modbus/write_queue.cpp
 )
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)

@@ -128,6 +128,19 @@ void Client::finish(const Transaction& transaction, const Response& response) {
   }
 }
 
+/// `all`: what was read of the whole block.
+void Client::report_if_new(std::size_t block, std::size_t number, Bytes all) {
+  const std::vector<std::uint8_t>& last = states_[block].last;
+  const RegisterEntry& entry = map_.entries[number];
+  const std::size_t width = entry.is_bit() ? 1 : 2;
+  const std::size_t begin = width * (entry.address - blocks_[block].address);
+  const Bytes own = all.subspan(begin, width * entry.addresses());
+  const bool is_same = !last.empty() && std::equal(own.begin(), own.end(), last.begin() + begin);
+  if (!events_.read || (is_same && entry.publish == Publish::kChange)) return;
+  read_value(entry, own, value_);
+  events_.read(number, value_);
+}
+
 void Client::finish_read(std::size_t index, const Response& response) {
   const ReadBlock& block = blocks_[index];
   BlockState& state = states_[index];
@@ -142,18 +155,7 @@ void Client::finish_read(std::size_t index, const Response& response) {
   std::vector<std::uint8_t> bits;
   if (is_bit) unpack_bits(response.values, block.count, bits);
   const Bytes all = is_bit ? Bytes(bits) : response.values;
-  const std::size_t width = is_bit ? 1 : 2;
-  const bool is_first = state.last.empty();
-  for (const std::size_t number : block.entries) {
-    const RegisterEntry& entry = map_.entries[number];
-    const std::size_t begin = width * (entry.address - block.address);
-    const Bytes own = all.subspan(begin, width * entry.addresses());
-    const bool is_same =
-        !is_first && std::equal(own.begin(), own.end(), state.last.begin() + begin);
-    if (!events_.read || (is_same && entry.publish == Publish::kChange)) continue;
-    read_value(entry, own, value_);
-    events_.read(number, value_);
-  }
+  for (const std::size_t number : block.entries) report_if_new(index, number, all);
   state.last.assign(all.begin(), all.end());
 }
 

@@ -17,9 +17,10 @@ constexpr std::uint8_t kBasicWithAccess = 0x81;    // conformity: stream and ind
 constexpr std::uint8_t kRegularWithAccess = 0x82;  // the same with objects 3 to 6
 constexpr std::uint8_t kMoreFollows = 0xFF;
 
-std::map<int, std::string> objects_of(const DeviceIdentity& identity) {
-  std::map<int, std::string> objects{
-      {0, identity.vendor}, {1, identity.product_code}, {2, identity.revision}};
+using Objects = std::map<int, std::string>;
+
+Objects objects_of(const DeviceIdentity& identity) {
+  Objects objects{{0, identity.vendor}, {1, identity.product_code}, {2, identity.revision}};
   const std::pair<int, const std::string&> regular[] = {
       {3, identity.url}, {4, identity.product}, {5, identity.model}, {6, identity.application}};
   for (const auto& [number, text] : regular) {
@@ -30,6 +31,31 @@ std::map<int, std::string> objects_of(const DeviceIdentity& identity) {
 
 Bytes bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+/// The object that a response begins with; the end: it alone is asked for and does not exist.
+Objects::const_iterator first_object(const Objects& objects, const Request& request, int last) {
+  const auto asked = objects.find(request.object_id);
+  if (asked != objects.end() && asked->first <= last) return asked;
+  return request.device_id_code == kOneObject ? objects.end() : objects.begin();
+}
+
+/// Objects up to the last, as far as there is space, behind three bytes: whether more follows, the
+/// next object, the number of objects.
+void append_objects(const Objects& objects, Objects::const_iterator object, int last, Pdu& pdu) {
+  const std::size_t more = pdu.size();
+  pdu.append_zeros(3);
+  for (; object != objects.end() && object->first <= last; ++object) {
+    if (pdu.space() < object->second.size() + 2) {
+      pdu[more] = kMoreFollows;
+      pdu[more + 1] = static_cast<std::uint8_t>(object->first);
+      return;
+    }
+    pdu.byte(static_cast<std::uint8_t>(object->first));
+    pdu.byte(static_cast<std::uint8_t>(object->second.size()));
+    pdu.append(bytes_of(object->second));
+    ++pdu[more + 2];
+  }
 }
 
 }  // namespace
@@ -44,36 +70,20 @@ void DeviceIdentity::validate() const {
 }
 
 Pdu device_id_response(const DeviceIdentity& identity, const Request& request) {
-  const std::map<int, std::string> objects = objects_of(identity);
+  const Objects objects = objects_of(identity);
   const bool is_regular = objects.rbegin()->first > kLastBasicObject;
   const std::uint8_t code = request.device_id_code;
   const int last = code == 1 ? kLastBasicObject : objects.rbegin()->first;
-  auto object = objects.find(request.object_id);
-  if (object == objects.end() || (code == 1 && object->first > last)) {
-    if (code == kOneObject) {
-      return exception_response(request.function, ExceptionCode::kIllegalAddress);
-    }
-    object = objects.begin();
+  const auto object = first_object(objects, request, last);
+  if (object == objects.end()) {
+    return exception_response(request.function, ExceptionCode::kIllegalAddress);
   }
   Pdu pdu(request.function);
   for (const std::uint8_t byte :
        {kDeviceIdType, code, is_regular ? kRegularWithAccess : kBasicWithAccess}) {
     pdu.byte(byte);
   }
-  const std::size_t more = pdu.size();
-  pdu.append_zeros(3);  // more follows, next object, number of objects
-  for (; object != objects.end() && object->first <= last; ++object) {
-    if (pdu.space() < object->second.size() + 2) {
-      pdu[more] = kMoreFollows;
-      pdu[more + 1] = static_cast<std::uint8_t>(object->first);
-      break;
-    }
-    pdu.byte(static_cast<std::uint8_t>(object->first));
-    pdu.byte(static_cast<std::uint8_t>(object->second.size()));
-    pdu.append(bytes_of(object->second));
-    ++pdu[more + 2];
-    if (code == kOneObject) break;
-  }
+  append_objects(objects, object, code == kOneObject ? object->first : last, pdu);
   return pdu;
 }
 

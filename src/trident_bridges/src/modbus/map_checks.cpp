@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ros_names.h"
 #include "trident_base/string_util.h"
 
 namespace trident::bridges::modbus {
@@ -42,11 +43,16 @@ class EntryChecks {
   void place();
   void place_modicon();
   void choose_type();
+  ValueType read_type() const;
   void check_size() const;
+  void check_scale() const;
   void check_access() const;
+  void check_keys_of_writes() const;
   void check_limits() const;
+  void check_safe() const;
   void choose_message();
   void check_names() const;
+  void check_bits() const;
   void set_initial();
 
   const RegisterSpec& spec_;
@@ -108,36 +114,47 @@ void EntryChecks::place_modicon() {
   entry_.address = static_cast<int>(number - 1);
 }
 
-void EntryChecks::choose_type() {
-  ValueType& type = entry_.layout.type;
-  type.kind = entry_.is_bit() ? ValueKind::kBool : ValueKind::kUint16;
-  if (!spec_.type) return;
+ValueType EntryChecks::read_type() const {
   try {
-    type = parse_value_type(*spec_.type);
+    return parse_value_type(*spec_.type);
   } catch (const ConfigError&) {
     throw;
   } catch (const Error& error) {
     fail("type", error.what());
   }
+}
+
+void EntryChecks::choose_type() {
+  ValueType& type = entry_.layout.type;
+  type.kind = entry_.is_bit() ? ValueKind::kBool : ValueKind::kUint16;
+  if (!spec_.type) return;
+  type = read_type();
   if (entry_.is_bit() && type.kind != ValueKind::kBool) {
     fail("type", type.text() + " of table " + table_text(entry_.table) + ", legal: bool");
   }
 }
 
+bool is_number(const ValueType& type) { return type.is_integer() || type.is_real(); }
+
+/// Whether several values of the entry may be one array.
+bool may_be_array(const RegisterEntry& entry) {
+  const ValueType& type = entry.layout.type;
+  return entry.is_bit() || type.kind == ValueKind::kBool || is_number(type);
+}
+
+/// One value is read and written by one request, so that its parts are always of one moment.
+int most_addresses(const RegisterEntry& entry) {
+  if (entry.is_bit()) return entry.is_writable() ? kMaxWriteBits : kMaxReadBits;
+  return entry.is_writable() ? kMaxWriteRegisters : kMaxReadRegisters;
+}
+
 void EntryChecks::check_size() const {
-  const ValueType& type = entry_.layout.type;
-  const bool is_number = type.is_integer() || type.is_real();
-  if (!is_number && !entry_.is_bit() && type.kind != ValueKind::kBool && spec_.count != 1) {
-    fail("count", std::to_string(spec_.count) + " of type " + type.text() + ", legal: 1");
+  if (!may_be_array(entry_) && spec_.count != 1) {
+    fail("count",
+         std::to_string(spec_.count) + " of type " + entry_.layout.type.text() + ", legal: 1");
   }
-  if (spec_.scale == 0.0) fail("scale", "0, legal: any other finite number");
-  if (!is_number && !entry_.is_unscaled()) {
-    fail(spec_.scale != 1.0 ? "scale" : "offset", "a " + type.text() + " has no scale and offset");
-  }
-  // One value is read and written by one request, so that its parts are always of one moment.
-  const bool writes = entry_.is_writable();
-  const int most = entry_.is_bit() ? (writes ? kMaxWriteBits : kMaxReadBits)
-                                   : (writes ? kMaxWriteRegisters : kMaxReadRegisters);
+  check_scale();
+  const int most = most_addresses(entry_);
   if (entry_.addresses() > most) {
     fail("count", "it takes " + std::to_string(entry_.addresses()) + " addresses, legal: up to " +
                       std::to_string(most));
@@ -147,12 +164,22 @@ void EntryChecks::check_size() const {
   }
 }
 
+void EntryChecks::check_scale() const {
+  const ValueType& type = entry_.layout.type;
+  if (spec_.scale == 0.0) fail("scale", "0, legal: any other finite number");
+  if (!is_number(type) && !entry_.is_unscaled()) {
+    fail(spec_.scale != 1.0 ? "scale" : "offset", "a " + type.text() + " has no scale and offset");
+  }
+}
+
 void EntryChecks::check_access() const {
-  const bool is_input = entry_.table == Table::kDiscrete || entry_.table == Table::kInput;
-  if (entry_.is_writable() && is_input) {
+  if (!entry_.is_writable()) return check_keys_of_writes();
+  if (entry_.table == Table::kDiscrete || entry_.table == Table::kInput) {
     fail("access", "table " + table_text(entry_.table) + " can only be read; legal: read");
   }
-  if (entry_.is_writable()) return;
+}
+
+void EntryChecks::check_keys_of_writes() const {
   const std::pair<const char*, bool> of_writes[] = {{"min", spec_.min.has_value()},
                                                     {"max", spec_.max.has_value()},
                                                     {"rate", spec_.rate.has_value()},
@@ -163,22 +190,38 @@ void EntryChecks::check_access() const {
   }
 }
 
+bool has_limits(const RegisterSpec& spec) { return spec.min || spec.max || spec.rate || spec.safe; }
+
 void EntryChecks::check_limits() const {
   const bool is_text = entry_.layout.type.kind == ValueKind::kString;
-  if (is_text && (spec_.min || spec_.max || spec_.rate || spec_.safe)) {
+  if (is_text && has_limits(spec_)) {
     fail("type", "a " + entry_.layout.type.text() + " has no min, max, rate and safe");
   }
   if (spec_.min && spec_.max && *spec_.min > *spec_.max) {
     fail("min",
          number_text(*spec_.min) + ", legal: up to max, which is " + number_text(*spec_.max));
   }
-  if (spec_.timeout && !spec_.safe) {
-    fail("timeout", "needs a value of safe, which counts after it");
+  check_safe();
+}
+
+void EntryChecks::check_safe() const {
+  if (!spec_.safe) {
+    if (spec_.timeout) fail("timeout", "needs a value of safe, which counts after it");
+    return;
   }
-  if (!spec_.safe) return;
-  if ((spec_.min && *spec_.safe < *spec_.min) || (spec_.max && *spec_.safe > *spec_.max)) {
-    fail("safe", number_text(*spec_.safe) + ", legal: in " + range_text(entry_));
+  const double safe = *spec_.safe;
+  if (safe < spec_.min.value_or(safe) || safe > spec_.max.value_or(safe)) {
+    fail("safe", number_text(safe) + ", legal: in " + range_text(entry_));
   }
+}
+
+/// "UInt16" of uint16, "Float32" of float32.
+std::string message_name(std::string type) {
+  const std::size_t capitals = starts_with(type, "uint") ? 2 : 1;
+  for (std::size_t i = 0; i < capitals; ++i) {
+    type[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(type[i])));
+  }
+  return type;
 }
 
 /// The type of std_msgs that holds what the registers hold.
@@ -186,33 +229,8 @@ std::string default_message(const RegisterEntry& entry) {
   const ValueType& type = entry.layout.type;
   if (type.kind == ValueKind::kString) return "std_msgs/String";
   if (type.kind == ValueKind::kBits || type.kind == ValueKind::kBool) return "std_msgs/Bool";
-  std::string name = "Float64";
-  if (entry.is_unscaled()) {
-    name = type.text();
-    const std::size_t capitals = starts_with(name, "uint") ? 2 : 1;
-    for (std::size_t i = 0; i < capitals; ++i) {
-      name[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[i])));
-    }
-  }
+  const std::string name = entry.is_unscaled() ? message_name(type.text()) : "Float64";
   return "std_msgs/" + name + (entry.layout.count > 1 ? "MultiArray" : "");
-}
-
-/// Letters, digits and underscores, begun by a letter.
-bool is_name(const std::string& text) {
-  const auto is_word = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
-  return !text.empty() && std::isalpha(static_cast<unsigned char>(text[0])) != 0 &&
-         std::all_of(text.begin(), text.end(), is_word);
-}
-
-/// Names with slashes between them, as ROS has them.
-bool is_topic(const std::string& text) {
-  std::size_t begin = starts_with(text, "/") || starts_with(text, "~") ? 1 : 0;
-  while (true) {
-    const std::size_t slash = text.find('/', begin);
-    if (!is_name(text.substr(begin, slash - begin))) return false;
-    if (slash == std::string::npos) return true;
-    begin = slash + 1;
-  }
 }
 
 void EntryChecks::check_names() const {
@@ -220,12 +238,13 @@ void EntryChecks::check_names() const {
   if (!spec_.topic.empty() && !is_topic(spec_.topic)) {
     fail("topic", "'" + spec_.topic + "' is no name of a topic; legal: letters, digits, _ and /");
   }
-  const std::size_t slash = spec_.message.find('/');
-  const bool is_type = slash != std::string::npos && is_name(spec_.message.substr(0, slash)) &&
-                       is_name(spec_.message.substr(slash + 1));
-  if (!spec_.message.empty() && !is_type) {
+  if (!spec_.message.empty() && !is_message_type(spec_.message)) {
     fail("message", "'" + spec_.message + "' is no type of a message; legal: package/Type");
   }
+  check_bits();
+}
+
+void EntryChecks::check_bits() const {
   for (const std::string& bit : entry_.layout.type.bits) {
     if (bit != "-" && !is_name(bit)) fail("type", "'" + bit + "' is no name of a bit");
   }

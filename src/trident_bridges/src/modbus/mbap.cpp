@@ -3,6 +3,16 @@
 #include "trident_bridges/modbus/mbap.h"
 
 namespace trident::bridges::modbus {
+namespace {
+
+/// Empty, or what is wrong with a header.
+std::string header_problem(std::size_t protocol, std::size_t length) {
+  if (protocol != 0) return "MBAP protocol " + std::to_string(protocol) + ", legal: 0";
+  if (length >= 2 && length <= kMaxPduBytes + 1) return "";
+  return "MBAP length " + std::to_string(length) + ", legal: 2 to 254";
+}
+
+}  // namespace
 
 void append_tcp_frame(const TcpFrame& frame, std::vector<std::uint8_t>& out) {
   const auto length = static_cast<std::uint16_t>(frame.pdu.size() + 1);
@@ -26,11 +36,7 @@ std::optional<TcpFrame> TcpFrameReader::next() {
   if (rest.size() < kMbapBytes || !problem_.empty()) return std::nullopt;
   const std::size_t protocol = word_at(rest, 2);
   const std::size_t length = word_at(rest, 4);
-  if (protocol != 0) {
-    problem_ = "MBAP protocol " + std::to_string(protocol) + ", legal: 0";
-  } else if (length < 2 || length > kMaxPduBytes + 1) {
-    problem_ = "MBAP length " + std::to_string(length) + ", legal: 2 to 254";
-  }
+  problem_ = header_problem(protocol, length);
   const std::size_t size = kMbapBytes - 1 + length;
   if (!problem_.empty() || rest.size() < size) return std::nullopt;
   begin_ += size;

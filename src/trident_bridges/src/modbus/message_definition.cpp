@@ -66,6 +66,13 @@ std::string full_name(const std::string& type, const std::string& package) {
 
 std::string package_of(const std::string& type) { return type.substr(0, type.find('/')); }
 
+/// nullopt: the text is no length of an array.
+std::optional<int> fixed_length(const std::string& text) {
+  const auto length = number_from_text(text);
+  if (!length || *length < 0 || *length > kMaxFixedArray) return std::nullopt;
+  return static_cast<int>(*length);
+}
+
 /// Takes the brackets off a type.
 int take_length(std::string& type) {
   if (type.empty() || type.back() != ']') return MessageField::kSingle;
@@ -74,11 +81,9 @@ int take_length(std::string& type) {
       open == std::string::npos ? "?" : type.substr(open + 1, type.size() - open - 2);
   type.resize(std::min(open, type.size()));
   if (inside.empty()) return MessageField::kVariable;
-  const auto length = number_from_text(inside);
-  if (!length || *length < 0 || *length > kMaxFixedArray) {
-    throw Error("array length '" + inside + "', legal: 0 to 1048576");
-  }
-  return static_cast<int>(*length);
+  const auto length = fixed_length(inside);
+  if (!length) throw Error("array length '" + inside + "', legal: 0 to 1048576");
+  return *length;
 }
 
 bool is_identifier(const std::string& text) {

@@ -23,17 +23,19 @@ RegisterImage::RegisterImage(const std::vector<RegisterEntry>& entries) {
                 static_cast<std::int32_t>(i));
     write_value(entry, entry.initial, wire(entry));
   }
-  for (Content& content : tables_) {
-    content.run_end.resize(content.owner.size());
-    std::int32_t end = 0;
-    for (std::size_t i = content.owner.size(); i-- > 0;) {
-      if (content.owner[i] < 0) {
-        end = 0;
-      } else if (end == 0) {
-        end = static_cast<std::int32_t>(i) + 1;
-      }
-      content.run_end[i] = end;
+  for (Content& content : tables_) content.find_run_ends();
+}
+
+void RegisterImage::Content::find_run_ends() {
+  run_end.resize(owner.size());
+  std::int32_t end = 0;
+  for (std::size_t i = owner.size(); i-- > 0;) {
+    if (owner[i] < 0) {
+      end = 0;
+    } else if (end == 0) {
+      end = static_cast<std::int32_t>(i) + 1;
     }
+    run_end[i] = end;
   }
 }
 

@@ -50,25 +50,34 @@ void check_names(Reading& reading) {
   }
 }
 
-void check_overlaps(Reading& reading) {
+std::vector<const RegisterEntry*> by_address(const RegisterMap& map) {
   std::vector<const RegisterEntry*> sorted;
-  for (const RegisterEntry& entry : reading.map.entries) sorted.push_back(&entry);
+  for (const RegisterEntry& entry : map.entries) sorted.push_back(&entry);
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto* a, const auto* b) {
     return std::make_pair(a->table, a->address) < std::make_pair(b->table, b->address);
   });
+  return sorted;
+}
+
+/// At the later one of two lines.
+void report_overlap(const RegisterEntry& a, const RegisterEntry& b, Reading& reading) {
+  const auto [first, second] =
+      std::minmax(a, b, [](const auto& one, const auto& other) { return one.line < other.line; });
+  reading.errors.emplace_back(reading.map.file, second.line, "registers",
+                              second.label() + " takes " + address_text(second) + ", of which " +
+                                  first.label() + " of line " + std::to_string(first.line) +
+                                  " has " + address_text(first));
+}
+
+void check_overlaps(Reading& reading) {
   const RegisterEntry* before = nullptr;
-  for (const RegisterEntry* entry : sorted) {
-    if (before != nullptr && before->table == entry->table && before->end() > entry->address) {
-      const auto [first, second] = std::minmax(
-          before, entry, [](const auto* a, const auto* b) { return a->line < b->line; });
-      reading.errors.emplace_back(reading.map.file, second->line, "registers",
-                                  second->label() + " takes " + address_text(*second) +
-                                      ", of which " + first->label() + " of line " +
-                                      std::to_string(first->line) + " has " + address_text(*first));
-    }
-    if (before == nullptr || before->table != entry->table || entry->end() > before->end()) {
+  for (const RegisterEntry* entry : by_address(reading.map)) {
+    if (before == nullptr || before->table != entry->table) {
       before = entry;
+      continue;
     }
+    if (before->end() > entry->address) report_overlap(*before, *entry, reading);
+    if (entry->end() > before->end()) before = entry;
   }
 }
 

@@ -44,6 +44,18 @@ Response decode_device_id(const Request& request, Bytes pdu) {
   return response;
 }
 
+bool is_exception(std::uint8_t function, Bytes pdu) {
+  return pdu.size() == 2 && pdu[0] == (function | kExceptionFlag);
+}
+
+/// Empty: the response is one to that function.
+std::string function_problem(std::uint8_t function, Bytes pdu) {
+  if (pdu.empty()) return "it is empty";
+  if (pdu[0] == function) return "";
+  return "function " + std::to_string(pdu[0]) + ", legal: " + std::to_string(function) + " and " +
+         std::to_string(function | kExceptionFlag);
+}
+
 }  // namespace
 
 Pdu exception_response(Function function, ExceptionCode code) {
@@ -81,18 +93,14 @@ Pdu write_response(const Request& request) {
 
 Response decode_response(const Request& request, Bytes pdu) {
   const auto function = static_cast<std::uint8_t>(request.function);
-  if (pdu.size() == 2 && pdu[0] == (function | kExceptionFlag)) {
+  if (is_exception(function, pdu)) {
     Response response;
     response.kind = Response::Kind::kException;
     response.exception = static_cast<ExceptionCode>(pdu[1]);
     return response;
   }
-  if (pdu.empty() || pdu[0] != function) {
-    return malformed(request, pdu.empty() ? "it is empty"
-                                          : "function " + std::to_string(pdu[0]) +
-                                                ", legal: " + std::to_string(function) + " and " +
-                                                std::to_string(function | kExceptionFlag));
-  }
+  const std::string problem = function_problem(function, pdu);
+  if (!problem.empty()) return malformed(request, problem);
   if (request.read_count > 0) return decode_read(request, pdu);
   if (request.writes()) return decode_write(request, pdu);
   return decode_device_id(request, pdu);

@@ -85,6 +85,14 @@ std::size_t response_length(Bytes frame) {
   return 0;
 }
 
+/// What a whole frame holds; one of unknown length may be either.
+RtuFrame unwrapped(Bytes frame) {
+  const std::size_t request = request_length(frame), response = response_length(frame);
+  const bool is_unknown = request == 0 && response == 0;
+  return {frame[0], frame.subspan(1, frame.size() - 1 - kCrcBytes),
+          request == frame.size() || is_unknown, response == frame.size() || is_unknown};
+}
+
 }  // namespace
 
 std::uint16_t rtu_crc(Bytes bytes) {
@@ -156,10 +164,7 @@ std::optional<RtuFrame> RtuFrameReader::frame_at(std::size_t begin, std::size_t 
   counts_.noise_bytes += begin - begin_;
   begin_ = begin + size;
   ++counts_.frames;
-  const std::size_t request = request_length(frame), response = response_length(frame);
-  const bool is_unknown = request == 0 && response == 0;
-  return RtuFrame{frame[0], frame.subspan(1, size - 1 - kCrcBytes), request == size || is_unknown,
-                  response == size || is_unknown};
+  return unwrapped(frame);
 }
 
 std::optional<RtuFrame> RtuFrameReader::complete_frame() {

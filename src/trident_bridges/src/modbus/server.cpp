@@ -39,31 +39,35 @@ Server::Server(RegisterMap map, ServerEvents events)
       image_(map_.entries),
       writers_(map_.entries.size()) {}
 
-std::optional<Pdu> Server::handle(const Caller& caller, std::uint8_t unit, Bytes request,
-                                  double now_s) {
-  const bool is_ours = unit == map_.spec.unit;
-  const bool is_for_all = caller.is_serial && unit == kBroadcastUnit;
-  // Over TCP 255 and 0 mean the device at the other end (Implementation Guide, section 4.4.2).
-  const bool is_direct = !caller.is_serial && (unit == kTcpDeviceUnit || unit == kBroadcastUnit);
-  if (caller.is_serial && !is_ours && !is_for_all) return std::nullopt;
-  restart_times(now_s);
-  ++counts_.requests;
-  const DecodedRequest decoded = decode_request(request);
-  const Task task{caller, decoded.request, now_s};
-  const Function function = decoded.request.function;
-  std::optional<Pdu> response;
-  if (!is_ours && !is_for_all && !is_direct) {
-    response = exception_response(
+/// Over TCP 255 and 0 mean the device at the other end (Implementation Guide, section 4.4.2), on a
+/// serial line 0 means all.
+bool Server::is_for_us(const Caller& caller, std::uint8_t unit) const {
+  const bool is_direct = !caller.is_serial && unit == kTcpDeviceUnit;
+  return unit == map_.spec.unit || unit == kBroadcastUnit || is_direct;
+}
+
+Pdu Server::respond(const Task& task, std::uint8_t unit, const DecodedRequest& decoded) {
+  const Function function = task.request.function;
+  if (!is_for_us(task.caller, unit)) {
+    return exception_response(
         function, refuse(task, ExceptionCode::kGatewayTargetFailed, "unknown unit",
                          "unit " + std::to_string(unit) +
                              ", legal: " + std::to_string(map_.spec.unit) + ", 0 and 255"));
-  } else if (!decoded.is_legal) {
-    response = exception_response(
-        function, refuse(task, decoded.refusal, "illegal request", decoded.problem));
-  } else {
-    response = answer(task);
   }
-  if (is_for_all) response.reset();
+  if (decoded.is_legal) return answer(task);
+  return exception_response(function,
+                            refuse(task, decoded.refusal, "illegal request", decoded.problem));
+}
+
+std::optional<Pdu> Server::handle(const Caller& caller, std::uint8_t unit, Bytes request,
+                                  double now_s) {
+  // On a serial line the other devices answer for themselves.
+  if (caller.is_serial && !is_for_us(caller, unit)) return std::nullopt;
+  restart_times(now_s);
+  ++counts_.requests;
+  const DecodedRequest decoded = decode_request(request);
+  const Pdu response = respond({caller, decoded.request, now_s}, unit, decoded);
+  if (caller.is_serial && unit == kBroadcastUnit) return std::nullopt;
   return response;
 }
 

@@ -46,6 +46,15 @@ std::string misfit(const RegisterEntry& entry, const FieldReader& reader) {
   return "";
 }
 
+/// Why an entry cannot be read from its field; "": it can.
+std::string field_problem(const RegisterEntry& entry, const MessageDefinition& definition) {
+  try {
+    return misfit(entry, FieldReader(definition, entry.field));
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
 }  // namespace
 
 TopicBindings topic_bindings(const RegisterMap& map, Role role) {
@@ -69,11 +78,11 @@ std::vector<ConfigError> errors_of_topics(const RegisterMap& map, const Definiti
   };
   for (const RegisterEntry& entry : map.entries) {
     if (entry.topic.empty()) continue;
-    const auto [first, is_new] = first_of_topic.emplace(entry.topic, &entry);
-    if (!is_new && first->second->message != entry.message) {
+    const RegisterEntry& first = *first_of_topic.emplace(entry.topic, &entry).first->second;
+    if (first.message != entry.message) {
       report(entry, "message",
-             entry.message + ", but line " + std::to_string(first->second->line) + " has " +
-                 first->second->message + " on topic " + entry.topic);
+             entry.message + ", but line " + std::to_string(first.line) + " has " + first.message +
+                 " on topic " + entry.topic);
     }
     const MessageDefinition* definition = nullptr;
     try {
@@ -82,12 +91,8 @@ std::vector<ConfigError> errors_of_topics(const RegisterMap& map, const Definiti
       report(entry, "message", error.what());
       continue;
     }
-    try {
-      const std::string problem = misfit(entry, FieldReader(*definition, entry.field));
-      if (!problem.empty()) report(entry, "field", problem);
-    } catch (const Error& error) {
-      report(entry, "field", error.what());
-    }
+    const std::string problem = field_problem(entry, *definition);
+    if (!problem.empty()) report(entry, "field", problem);
   }
   return errors;
 }

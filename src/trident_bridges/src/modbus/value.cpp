@@ -8,61 +8,11 @@
 #include <cstring>
 #include <limits>
 #include <type_traits>
-#include <utility>
-
-#include "trident_base/error.h"
-#include "trident_base/string_util.h"
 
 namespace trident::bridges::modbus {
 namespace {
 
 constexpr int kBitsPerRegister = 16;
-constexpr int kMaxCharacters = 246;  // of 123 registers, which one request can write
-
-const std::array<std::pair<const char*, ValueKind>, 9> kPlainTypes{{
-    {"bool", ValueKind::kBool},
-    {"int16", ValueKind::kInt16},
-    {"uint16", ValueKind::kUint16},
-    {"int32", ValueKind::kInt32},
-    {"uint32", ValueKind::kUint32},
-    {"int64", ValueKind::kInt64},
-    {"uint64", ValueKind::kUint64},
-    {"float32", ValueKind::kFloat32},
-    {"float64", ValueKind::kFloat64},
-}};
-
-/// What stands in the brackets of "name(…)"; false: the text is not of that form.
-bool take_argument(const std::string& text, const std::string& name, std::string& argument) {
-  if (!starts_with(text, name + "(") || text.back() != ')') return false;
-  argument = text.substr(name.size() + 1, text.size() - name.size() - 2);
-  return true;
-}
-
-ValueType string_type(const std::string& argument) {
-  const auto characters = number_from_text(argument);
-  if (!characters || *characters != std::floor(*characters) || *characters < 1 ||
-      *characters > kMaxCharacters) {
-    throw Error("type 'string(" + argument + ")', legal: string(1) to string(246) characters");
-  }
-  return {ValueKind::kString, static_cast<int>(*characters)};
-}
-
-ValueType bits_type(std::string argument) {
-  std::replace(argument.begin(), argument.end(), ',', ' ');
-  ValueType type{ValueKind::kBits};
-  std::string name;
-  for (const char c : argument + ' ') {
-    if (c != ' ') {
-      name += c;
-    } else if (!name.empty()) {
-      type.bits.push_back(std::exchange(name, ""));
-    }
-  }
-  if (type.bits.empty() || type.bits.size() > kBitsPerRegister) {
-    throw Error("type bits with " + std::to_string(type.bits.size()) + " names, legal: 1 to 16");
-  }
-  return type;
-}
 
 /// Whether the most significant bit is a sign.
 bool is_signed(ValueKind kind) {
@@ -116,40 +66,56 @@ Number number_of_bits(ValueKind kind, std::uint64_t bits) {
   }
 }
 
-/// The integer nearest to a number, as the bits of a type of that many bits.
-Fit integer_bits(const Number& number, ValueKind kind, std::uint64_t& bits) {
+/// 2^63 and 2^64 are doubles, the limits below them are not: the comparison must not let them in.
+bool is_in_range(double rounded, ValueKind kind) {
   const auto [lowest, highest] = raw_limits(kind);
-  if (const double* const real = std::get_if<double>(&number)) {
-    if (std::isnan(*real)) return Fit::kNotFinite;
-    const double rounded = std::round(*real);
-    const bool fits = rounded >= lowest && rounded <= highest;
-    // 2^63 and 2^64 are doubles, the limits below them are not: the comparison must not let them
-    // in.
-    if (fits && is_signed(kind) && rounded < 0x1p63) {
-      bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded));
-      return Fit::kExact;
-    }
-    if (fits && !is_signed(kind) && rounded < 0x1p64) {
-      bits = static_cast<std::uint64_t>(rounded);
-      return Fit::kExact;
-    }
-    const int width = kBitsPerRegister * ValueType{kind}.registers();
-    const std::uint64_t all = ~std::uint64_t{0} >> (64 - width);
-    const std::uint64_t low = is_signed(kind) ? ~(all >> 1) : 0;
-    bits = rounded < lowest ? low : (is_signed(kind) ? all >> 1 : all);
+  const double beyond = is_signed(kind) ? 0x1p63 : 0x1p64;
+  return rounded >= lowest && rounded <= highest && rounded < beyond;
+}
+
+/// Bits of the limit that a number lies beyond.
+std::uint64_t limit_bits(double rounded, ValueKind kind) {
+  const int width = kBitsPerRegister * ValueType{kind}.registers();
+  const std::uint64_t all = ~std::uint64_t{0} >> (64 - width);
+  const std::uint64_t least = is_signed(kind) ? ~(all >> 1) : 0;
+  const std::uint64_t greatest = is_signed(kind) ? all >> 1 : all;
+  return rounded < raw_limits(kind)[0] ? least : greatest;
+}
+
+Fit bits_of_real(double real, ValueKind kind, std::uint64_t& bits) {
+  if (std::isnan(real)) return Fit::kNotFinite;
+  const double rounded = std::round(real);
+  if (!is_in_range(rounded, kind)) {
+    bits = limit_bits(rounded, kind);
     return Fit::kClamped;
   }
-  if (const auto* const whole = std::get_if<std::int64_t>(&number)) {
-    bits = static_cast<std::uint64_t>(*whole);
-    if (kind == ValueKind::kInt64 || (kind == ValueKind::kUint64 && *whole >= 0))
-      return Fit::kExact;
-    return integer_bits(Number{static_cast<double>(*whole)}, kind, bits);
-  }
-  bits = std::get<std::uint64_t>(number);
-  if (kind == ValueKind::kUint64) return Fit::kExact;
+  bits = is_signed(kind) ? static_cast<std::uint64_t>(static_cast<std::int64_t>(rounded))
+                         : static_cast<std::uint64_t>(rounded);
+  return Fit::kExact;
+}
+
+Fit bits_of_signed(std::int64_t whole, ValueKind kind, std::uint64_t& bits) {
+  bits = static_cast<std::uint64_t>(whole);
+  const bool fits = kind == ValueKind::kInt64 || (kind == ValueKind::kUint64 && whole >= 0);
+  return fits ? Fit::kExact : bits_of_real(static_cast<double>(whole), kind, bits);
+}
+
+Fit bits_of_unsigned(std::uint64_t whole, ValueKind kind, std::uint64_t& bits) {
   constexpr auto kMaxInt64 = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-  if (kind == ValueKind::kInt64 && bits <= kMaxInt64) return Fit::kExact;
-  return integer_bits(Number{static_cast<double>(bits)}, kind, bits);
+  bits = whole;
+  const bool fits = kind == ValueKind::kUint64 || (kind == ValueKind::kInt64 && whole <= kMaxInt64);
+  return fits ? Fit::kExact : bits_of_real(static_cast<double>(whole), kind, bits);
+}
+
+/// The integer nearest to a number, as the bits of a type of that many bits.
+Fit integer_bits(const Number& number, ValueKind kind, std::uint64_t& bits) {
+  if (const auto* const real = std::get_if<double>(&number)) {
+    return bits_of_real(*real, kind, bits);
+  }
+  if (const auto* const whole = std::get_if<std::int64_t>(&number)) {
+    return bits_of_signed(*whole, kind, bits);
+  }
+  return bits_of_unsigned(std::get<std::uint64_t>(number), kind, bits);
 }
 
 Fit real_bits(double real, ValueKind kind, std::uint64_t& bits) {
@@ -186,53 +152,6 @@ Fit write_text(const RegisterLayout& layout, const std::string& text, Span<std::
 }
 
 }  // namespace
-
-int ValueType::registers() const {
-  switch (kind) {
-    case ValueKind::kInt32:
-    case ValueKind::kUint32:
-    case ValueKind::kFloat32:
-      return 2;
-    case ValueKind::kInt64:
-    case ValueKind::kUint64:
-    case ValueKind::kFloat64:
-      return 4;
-    case ValueKind::kString:
-      return (characters + 1) / 2;
-    default:
-      return 1;
-  }
-}
-
-bool ValueType::is_integer() const {
-  return kind >= ValueKind::kInt16 && kind <= ValueKind::kUint64;
-}
-
-bool ValueType::is_real() const {
-  return kind == ValueKind::kFloat32 || kind == ValueKind::kFloat64;
-}
-
-std::string ValueType::text() const {
-  if (kind == ValueKind::kString) return "string(" + std::to_string(characters) + ")";
-  if (kind == ValueKind::kBits) return "bits(" + join(bits, " ") + ")";
-  for (const auto& [name, plain] : kPlainTypes) {
-    if (plain == kind) return name;
-  }
-  return "";
-}
-
-ValueType parse_value_type(const std::string& text) {
-  std::string argument;
-  if (take_argument(text, "string", argument)) return string_type(argument);
-  if (take_argument(text, "bits", argument)) return bits_type(argument);
-  std::vector<std::string> known;
-  for (const auto& [name, kind] : kPlainTypes) {
-    if (text == name) return {kind};
-    known.emplace_back(name);
-  }
-  known.insert(known.end(), {"string(N)", "bits(NAMES)"});
-  throw Error("unknown type " + unknown_name_text(text, known));
-}
 
 double as_double(const Number& number) {
   return std::visit([](auto value) { return static_cast<double>(value); }, number);

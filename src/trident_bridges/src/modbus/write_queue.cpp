@@ -21,6 +21,22 @@ bool is_legal(const RegisterEntry& entry, const Value& value) {
   });
 }
 
+/// Writes a value as on the wire; false: its registers cannot hold it.
+bool encode(const RegisterEntry& entry, const Value& value, std::vector<std::uint8_t>& wire) {
+  wire.resize(static_cast<std::size_t>(entry.addresses()) * (entry.is_bit() ? 1 : 2));
+  return write_value(entry, value, wire) == Fit::kExact;
+}
+
+/// Whether the device would soon take the entry's writer for silent.
+bool is_stale(const RegisterEntry& entry, double age_s) {
+  return entry.timeout && age_s >= *entry.timeout * kRefreshPart;
+}
+
+Function write_function(bool is_bit, bool is_single) {
+  if (is_bit) return is_single ? Function::kWriteSingleCoil : Function::kWriteMultipleCoils;
+  return is_single ? Function::kWriteSingleRegister : Function::kWriteMultipleRegisters;
+}
+
 }  // namespace
 
 WriteQueue::WriteQueue(const RegisterMap& map) : map_(map), states_(map.entries.size()) {
@@ -36,13 +52,10 @@ WriteQueue::WriteQueue(const RegisterMap& map) : map_(map), states_(map.entries.
 WriteQueue::Outcome WriteQueue::set(std::size_t index, const Value& value, double time_s) {
   const RegisterEntry& entry = map_.entries[index];
   State& state = states_[index];
-  if (!is_legal(entry, value)) return Outcome::kRefused;
-  const std::size_t bytes = static_cast<std::size_t>(entry.addresses()) * (entry.is_bit() ? 1 : 2);
-  state.wanted.resize(bytes);
-  if (write_value(entry, value, state.wanted) != Fit::kExact) return Outcome::kRefused;
+  if (!is_legal(entry, value) || !encode(entry, value, state.wanted)) return Outcome::kRefused;
   if (time_s < state.last_s) state.last_s = -1e18;  // the simulation was reset
-  const bool is_stale = entry.timeout && time_s - state.last_s >= *entry.timeout * kRefreshPart;
-  if (state.wanted == state.sent && !is_stale) return Outcome::kUnchanged;
+  if (state.wanted == state.sent && !is_stale(entry, time_s - state.last_s))
+    return Outcome::kUnchanged;
   state.is_due = true;
   state.last_s = time_s;
   return Outcome::kQueued;
@@ -57,18 +70,25 @@ bool WriteQueue::may_join(const RegisterEntry& first, const RegisterEntry& last,
          entry.address == last.end() && entry.end() - first.address <= most;
 }
 
+/// Entries that are due with the one at that place of the order, as far as one request takes them.
+std::vector<std::size_t> WriteQueue::joined(std::size_t begin) const {
+  std::vector<std::size_t> entries{order_[begin]};
+  if (states_[order_[begin]].is_alone) return entries;
+  const RegisterEntry& first = map_.entries[order_[begin]];
+  for (std::size_t i = begin + 1; i < order_.size(); ++i) {
+    if (!may_join(first, map_.entries[entries.back()], order_[i])) break;
+    entries.push_back(order_[i]);
+  }
+  return entries;
+}
+
 std::optional<WriteBatch> WriteQueue::take() {
   for (std::size_t tried = 0; tried < order_.size(); ++tried) {
     const std::size_t begin = (next_ + tried) % order_.size();
     const State& first = states_[order_[begin]];
     if (!first.is_due || first.is_in_flight) continue;
     WriteBatch batch;
-    batch.entries.push_back(order_[begin]);
-    for (std::size_t i = begin + 1; i < order_.size() && !first.is_alone; ++i) {
-      const RegisterEntry& last = map_.entries[batch.entries.back()];
-      if (!may_join(map_.entries[order_[begin]], last, order_[i])) break;
-      batch.entries.push_back(order_[i]);
-    }
+    batch.entries = joined(begin);
     for (const std::size_t index : batch.entries) {
       State& state = states_[index];
       state.is_due = false;
@@ -82,29 +102,25 @@ std::optional<WriteBatch> WriteQueue::take() {
   return std::nullopt;
 }
 
+/// What is sent of entries, bits packed.
+std::vector<std::uint8_t> WriteQueue::values_of(const std::vector<std::size_t>& entries) const {
+  std::vector<std::uint8_t> values;
+  for (const std::size_t index : entries) {
+    values.insert(values.end(), states_[index].sent.begin(), states_[index].sent.end());
+  }
+  if (!map_.entries[entries.front()].is_bit()) return values;
+  std::vector<std::uint8_t> packed(packed_size(values.size()));
+  for (std::size_t bit = 0; bit < values.size(); ++bit) {
+    if (values[bit] != 0) packed[bit / 8] |= static_cast<std::uint8_t>(1U << (bit % 8));
+  }
+  return packed;
+}
+
 Pdu WriteQueue::request(const std::vector<std::size_t>& entries) const {
   const RegisterEntry& first = map_.entries[entries.front()];
   const int count = map_.entries[entries.back()].end() - first.address;
-  std::vector<std::uint8_t> values;
-  if (first.is_bit()) {
-    values.resize(packed_size(static_cast<std::size_t>(count)));
-    std::size_t bit = 0;
-    for (const std::size_t index : entries) {
-      for (const std::uint8_t value : states_[index].sent) {
-        if (value != 0) values[bit / 8] |= static_cast<std::uint8_t>(1U << (bit % 8));
-        ++bit;
-      }
-    }
-  } else {
-    for (const std::size_t index : entries) {
-      values.insert(values.end(), states_[index].sent.begin(), states_[index].sent.end());
-    }
-  }
-  Function function =
-      first.is_bit() ? Function::kWriteMultipleCoils : Function::kWriteMultipleRegisters;
-  if (count == 1) {
-    function = first.is_bit() ? Function::kWriteSingleCoil : Function::kWriteSingleRegister;
-  }
+  const Function function = write_function(first.is_bit(), count == 1);
+  const std::vector<std::uint8_t> values = values_of(entries);
   return encode_request(write_request(function, static_cast<std::uint16_t>(first.address),
                                       static_cast<std::uint16_t>(count), values));
 }

@@ -100,6 +100,7 @@ class Client {
   std::optional<Transaction> make_read();
   Outgoing send(Transaction transaction, double now_s);
   void finish(const Transaction& transaction, const Response& response);
+  void report_if_new(std::size_t block, std::size_t number, Bytes all);
   void finish_read(std::size_t block, const Response& response);
   void finish_write(const Transaction& transaction, const Response& response);
   void give_up(const Transaction& transaction);

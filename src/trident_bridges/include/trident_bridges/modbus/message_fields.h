@@ -68,6 +68,9 @@ class MessageWriter {
     int length = MessageField::kSingle;
   };
 
+  static void append_numbers(const Piece& piece, const std::vector<Number>& numbers,
+                             std::vector<std::uint8_t>& out);
+
   std::vector<Piece> pieces_;
 };
 

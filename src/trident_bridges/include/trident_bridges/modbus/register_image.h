@@ -31,6 +31,8 @@ class RegisterImage {
 
  private:
   struct Content {
+    void find_run_ends();
+
     std::vector<std::uint8_t> bytes;    ///< two for each register, one for each bit
     std::vector<std::int32_t> owner;    ///< of each address; -1: no entry
     std::vector<std::int32_t> run_end;  ///< behind the last address without a gap; 0: not there

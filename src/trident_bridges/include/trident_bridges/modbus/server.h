@@ -90,6 +90,8 @@ class Server {
   };
   using Refusal = std::optional<ExceptionCode>;
 
+  bool is_for_us(const Caller& caller, std::uint8_t unit) const;
+  Pdu respond(const Task& task, std::uint8_t unit, const DecodedRequest& decoded);
   Pdu answer(const Task& task);
   Pdu answer_read(const Task& task, Table table);
   Pdu answer_write(const Task& task);

@@ -54,6 +54,8 @@ class WriteQueue {
     bool is_alone = false;  ///< is not written with others
   };
   bool may_join(const RegisterEntry& first, const RegisterEntry& last, std::size_t next) const;
+  std::vector<std::size_t> joined(std::size_t begin) const;
+  std::vector<std::uint8_t> values_of(const std::vector<std::size_t>& entries) const;
   Pdu request(const std::vector<std::size_t>& entries) const;
 
   const RegisterMap& map_;
