@@ -18,9 +18,9 @@ void EncodedSentence::close(std::size_t size) {
 }
 
 bool check_talker(std::string_view talker, Refusal* refusal) {
-  const auto is_legal = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
   const bool is_maker = !talker.empty() && talker[0] == 'P';
-  if (talker.size() == 2 && !is_maker && std::all_of(talker.begin(), talker.end(), is_legal)) {
+  if (talker.size() == 2 && !is_maker &&
+      std::all_of(talker.begin(), talker.end(), is_capital_or_digit)) {
     return true;
   }
   *refusal = {RefusalKind::kBadAddress, "talker", talker,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace trident::bridges::nmea {
 namespace {
@@ -13,8 +14,41 @@ constexpr const char* kDateForm = "ddmmyy, a day of the calendar";
 constexpr const char* kNumberForm = "a number such as -12.5";
 constexpr const char* kWholeForm = "a whole number";
 
-bool is_one_of(char letter, const char* letters) {
-  return letter != '\0' && std::strchr(letters, letter) != nullptr;
+/// Whether the text is one of the letters.
+bool is_letter_of(std::string_view text, const char* letters) {
+  return text.size() == 1 && text[0] != '\0' && std::strchr(letters, text[0]) != nullptr;
+}
+
+bool parse_time(std::string_view text, TimeOfDay* time) {
+  return text.size() >= 6 && parse_digits(text.substr(0, 2), &time->hour) &&
+         parse_digits(text.substr(2, 2), &time->minute) && is_digit(text[4]) &&
+         parse_number(text.substr(4), &time->second);
+}
+
+/// The year is that of the century.
+bool parse_date(std::string_view text, CivilDate* date) {
+  return text.size() == 6 && parse_digits(text.substr(0, 2), &date->day) &&
+         parse_digits(text.substr(2, 2), &date->month) &&
+         parse_digits(text.substr(4, 2), &date->year);
+}
+
+/// Degrees, and behind them minutes; infinite with 60 minutes or more.
+bool parse_angle(std::string_view text, std::size_t degree_digits, double* degrees) {
+  int whole = 0;
+  double minutes = 0.0;
+  const bool is_read =
+      text.size() >= degree_digits + 2 && parse_digits(text.substr(0, degree_digits), &whole) &&
+      is_digit(text[degree_digits]) && parse_number(text.substr(degree_digits), &minutes);
+  *degrees = minutes < 60.0 ? whole + minutes / 60.0 : std::numeric_limits<double>::infinity();
+  return is_read;
+}
+
+/// A minus may stand in front.
+bool parse_whole(std::string_view text, int* value) {
+  const bool is_negative = text[0] == '-';
+  const bool is_read = parse_digits(text.substr(is_negative ? 1 : 0), value);
+  if (is_negative) *value = -*value;
+  return is_read;
 }
 
 }  // namespace
@@ -42,10 +76,7 @@ void FieldReader::time(const char* name, std::optional<TimeOfDay>& value) {
   value.reset();
   if (text.empty()) return;
   TimeOfDay time;
-  const bool is_read = text.size() >= 6 && parse_digits(text.substr(0, 2), &time.hour) &&
-                       parse_digits(text.substr(2, 2), &time.minute) && text[4] >= '0' &&
-                       text[4] <= '9' && parse_number(text.substr(4), &time.second);
-  if (!is_read) {
+  if (!parse_time(text, &time)) {
     refuse({RefusalKind::kNotANumber, name, text, kTimeForm});
   } else if (time.hour > 23 || time.minute > 59 || !(time.second < 61.0)) {
     refuse({RefusalKind::kOutOfRange, name, text, kTimeForm});
@@ -59,10 +90,7 @@ void FieldReader::date(const char* name, std::optional<CivilDate>& value) {
   value.reset();
   if (text.empty()) return;
   CivilDate date;
-  const bool is_read = text.size() == 6 && parse_digits(text.substr(0, 2), &date.day) &&
-                       parse_digits(text.substr(2, 2), &date.month) &&
-                       parse_digits(text.substr(4, 2), &date.year);
-  if (!is_read) {
+  if (!parse_date(text, &date)) {
     refuse({RefusalKind::kNotANumber, name, text, kDateForm});
     return;
   }
@@ -74,39 +102,36 @@ void FieldReader::date(const char* name, std::optional<CivilDate>& value) {
   value = date;
 }
 
+struct FieldReader::AngleForm {
+  std::size_t degree_digits;
+  double limit;         ///< [deg]
+  const char* letters;  ///< of the positive and the negative side
+  const char* form;
+  const char* sides;
+};
+
 void FieldReader::latitude(const char* name, std::optional<double>& degrees) {
-  angle(name, degrees, 2, 90.0, "NS");
+  angle(name, degrees, {2, 90.0, "NS", "ddmm.mmmm", "N or S"});
 }
 
 void FieldReader::longitude(const char* name, std::optional<double>& degrees) {
-  angle(name, degrees, 3, 180.0, "EW");
+  angle(name, degrees, {3, 180.0, "EW", "dddmm.mmmm", "E or W"});
 }
 
-void FieldReader::angle(const char* name, std::optional<double>& degrees, std::size_t degree_digits,
-                        double limit, const char* letters) {
+void FieldReader::angle(const char* name, std::optional<double>& degrees, const AngleForm& form) {
   const std::string_view text = next(), side = next();
   degrees.reset();
   if (text.empty()) return;
-  int whole = 0;
-  double minutes = 0.0;
-  const bool is_read = text.size() >= degree_digits + 2 &&
-                       parse_digits(text.substr(0, degree_digits), &whole) &&
-                       text[degree_digits] >= '0' && text[degree_digits] <= '9' &&
-                       parse_number(text.substr(degree_digits), &minutes);
-  if (!is_read) {
-    refuse({RefusalKind::kNotANumber, name, text, degree_digits == 2 ? "ddmm.mmmm" : "dddmm.mmmm"});
-    return;
+  double magnitude = 0.0;
+  if (!parse_angle(text, form.degree_digits, &magnitude)) {
+    refuse({RefusalKind::kNotANumber, name, text, form.form});
+  } else if (magnitude > form.limit) {
+    refuse({RefusalKind::kOutOfRange, name, text, -form.limit, form.limit});
+  } else if (!is_letter_of(side, form.letters)) {
+    refuse({RefusalKind::kOutOfRange, name, side, form.sides});
+  } else {
+    degrees = side[0] == form.letters[0] ? magnitude : -magnitude;
   }
-  const double magnitude = whole + minutes / 60.0;
-  if (!(minutes < 60.0) || magnitude > limit) {
-    refuse({RefusalKind::kOutOfRange, name, text, -limit, limit});
-    return;
-  }
-  if (side.size() != 1 || !is_one_of(side[0], letters)) {
-    refuse({RefusalKind::kOutOfRange, name, side, degree_digits == 2 ? "N or S" : "E or W"});
-    return;
-  }
-  degrees = side[0] == letters[0] ? magnitude : -magnitude;
 }
 
 void FieldReader::real(const char* name, std::optional<double>& value, const Limits& limits,
@@ -129,14 +154,10 @@ void FieldReader::whole(const char* name, std::optional<int>& value, const Limit
   const std::string_view text = next();
   value.reset();
   if (text.empty()) return;
-  const bool is_negative = text[0] == '-';
   int number = 0;
-  if (!parse_digits(text.substr(is_negative ? 1 : 0), &number)) {
+  if (!parse_whole(text, &number)) {
     refuse({RefusalKind::kNotANumber, name, text, kWholeForm});
-    return;
-  }
-  if (is_negative) number = -number;
-  if (number < limits.lo || number > limits.hi) {
+  } else if (number < limits.lo || number > limits.hi) {
     refuse({RefusalKind::kOutOfRange, name, text, limits.lo, limits.hi});
   } else {
     value = number;
@@ -148,7 +169,7 @@ void FieldReader::sided(const char* name, std::optional<double>& value, const Li
   real(name, value, limits, format);
   const std::string_view side = next();
   if (!value) return;
-  if (side.size() != 1 || !is_one_of(side[0], letters)) {
+  if (!is_letter_of(side, letters)) {
     refuse({RefusalKind::kOutOfRange, name, side, letters});
   } else if (side[0] == letters[1]) {
     value = -*value;
@@ -159,7 +180,7 @@ void FieldReader::letter(const char* name, char& value, const char* legal) {
   const std::string_view text = next();
   value = '\0';
   if (text.empty()) return;
-  if (text.size() != 1 || !is_one_of(text[0], legal)) {
+  if (!is_letter_of(text, legal)) {
     refuse({RefusalKind::kOutOfRange, name, text, legal});
   } else {
     value = text[0];

@@ -18,8 +18,6 @@ constexpr std::array<double, kMaxDigits + 1> kPowers{1e0,  1e1,  1e2,  1e3,  1e4
 constexpr std::array<long long, 10> kWholePowers{
     1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 }  // namespace
 
 bool parse_number(std::string_view text, double* value) {

@@ -66,6 +66,36 @@ void put_place(const GnssEpoch& epoch, T* sentence) {
   sentence->longitude_deg = epoch.longitude_deg;
 }
 
+Gsa satellites_in_use(const GnssEpoch& epoch, int count) {
+  Gsa gsa;
+  gsa.selection = 'A';
+  gsa.dimensions = epoch.fix == Fix::kNone ? 1 : 3;
+  gsa.system = '1';
+  if (epoch.fix == Fix::kNone) return gsa;
+  for (int i = 0; i < std::min(count, kMaxSatellitesInUse); ++i) {
+    gsa.satellites[static_cast<std::size_t>(i)] = i + 1;
+  }
+  const int in_use = epoch.satellites.value_or(kMaxSatellitesInUse);
+  gsa.hdop = hdop_of(in_use);
+  gsa.vdop = vdop_of(in_use);
+  gsa.pdop = std::hypot(*gsa.hdop, *gsa.vdop);
+  return gsa;
+}
+
+/// The `number`th sentence of those that name `count` satellites, four each.
+Gsv satellites_in_view(int number, int count) {
+  Gsv gsv;
+  gsv.number = number;
+  gsv.in_view = count;
+  for (int i = 4 * (number - 1); i < std::min(count, 4 * number); ++i) {
+    SatelliteInView satellite;
+    satellite.number = i + 1;
+    gsv.satellites.push_back(satellite);
+  }
+  gsv.signal = '1';
+  return gsv;
+}
+
 }  // namespace
 
 void GnssTalker::on_epoch(const GnssEpoch& epoch) {
@@ -145,34 +175,12 @@ void GnssTalker::send_velocity(const GnssEpoch& epoch) {
 void GnssTalker::send_satellites(const GnssEpoch& epoch) {
   const std::string& talker = sender_.params().talkers.gnss;
   const int count = std::clamp(epoch.satellites.value_or(0), 0, 99);
-  sender_.send_if_due<Gsa>(talker, epoch.stamp, [&] {
-    Gsa gsa;
-    gsa.selection = 'A';
-    gsa.dimensions = epoch.fix == Fix::kNone ? 1 : 3;
-    gsa.system = '1';
-    if (epoch.fix == Fix::kNone) return gsa;
-    for (int i = 0; i < std::min(count, kMaxSatellitesInUse); ++i) {
-      gsa.satellites[static_cast<std::size_t>(i)] = i + 1;
-    }
-    const int in_use = epoch.satellites.value_or(kMaxSatellitesInUse);
-    gsa.hdop = hdop_of(in_use);
-    gsa.vdop = vdop_of(in_use);
-    gsa.pdop = std::hypot(*gsa.hdop, *gsa.vdop);
-    return gsa;
-  });
+  sender_.send_if_due<Gsa>(talker, epoch.stamp, [&] { return satellites_in_use(epoch, count); });
   if (!sender_.is_due<Gsv>(epoch.stamp)) return;
   const int sentences = std::max(1, (count + 3) / 4);
   for (int number = 1; number <= sentences; ++number) {
-    Gsv gsv;
+    Gsv gsv = satellites_in_view(number, count);
     gsv.total = sentences;
-    gsv.number = number;
-    gsv.in_view = count;
-    for (int i = 4 * (number - 1); i < std::min(count, 4 * number); ++i) {
-      SatelliteInView satellite;
-      satellite.number = i + 1;
-      gsv.satellites.push_back(satellite);
-    }
-    gsv.signal = '1';
     sender_.send(talker, epoch.stamp, gsv);
   }
 }

@@ -61,6 +61,12 @@ double wind_factor(char unit) {
   }
 }
 
+std::optional<double> in_m_s(const std::optional<double>& speed_m_s,
+                             const std::optional<double>& speed_knots) {
+  if (speed_m_s || !speed_knots) return speed_m_s;
+  return *speed_knots * kMetersPerSecondPerKnot;
+}
+
 }  // namespace
 
 std::optional<double> Magnetic::to_true_deg(double magnetic_deg) const {
@@ -155,14 +161,12 @@ void InstrumentReader::read(const Mwd& mwd, const Receipt& /*receipt*/) {
   if (!direction_deg && mwd.magnetic_direction_deg) {
     direction_deg = magnetic_.to_true_deg(*mwd.magnetic_direction_deg);
   }
-  std::optional<double> speed_m_s = mwd.speed_m_s;
-  if (!speed_m_s && mwd.speed_knots) speed_m_s = *mwd.speed_knots * kMetersPerSecondPerKnot;
-  if (direction_deg && heading_deg_) put_wind(true, *direction_deg - *heading_deg_, speed_m_s);
+  if (!direction_deg || !heading_deg_) return;
+  put_wind(true, *direction_deg - *heading_deg_, in_m_s(mwd.speed_m_s, mwd.speed_knots));
 }
 
 void InstrumentReader::put_wind(bool is_true, const SidedWind& wind) {
-  std::optional<double> speed_m_s = wind.speed_m_s;
-  if (!speed_m_s && wind.speed_knots) speed_m_s = *wind.speed_knots * kMetersPerSecondPerKnot;
+  std::optional<double> speed_m_s = in_m_s(wind.speed_m_s, wind.speed_knots);
   if (!speed_m_s && wind.speed_km_h) speed_m_s = *wind.speed_km_h / kKilometersPerHour;
   put_wind(is_true, wind.angle_deg, speed_m_s);
 }
@@ -171,20 +175,24 @@ void InstrumentReader::read(const Vwr& vwr, const Receipt& /*receipt*/) { put_wi
 
 void InstrumentReader::read(const Vwt& vwt, const Receipt& /*receipt*/) { put_wind(true, vwt); }
 
+/// Into the tilt, or on a topic of its name.
+void InstrumentReader::put_measurement(const Measurement& measured, Tilt* tilt) {
+  const double value = *measured.value * factor_of(measured.unit);
+  const std::string_view name = text_of(measured.name);
+  if (is_named(name, "roll")) {
+    tilt->roll_rad = value;
+  } else if (is_named(name, "ptch") || is_named(name, "pitch")) {
+    tilt->pitch_rad = -value;  // there bow up is positive
+  } else if (!name.empty()) {
+    const FixedText<20> topic = topic_name(name);
+    sink_.on_number({topic.view(), value});
+  }
+}
+
 void InstrumentReader::read(const Xdr& xdr, const Receipt& /*receipt*/) {
   Tilt tilt;
   for (const Measurement& measured : xdr.measurements) {
-    if (!measured.value) continue;
-    const double value = *measured.value * factor_of(measured.unit);
-    const std::string_view name = text_of(measured.name);
-    if (is_named(name, "roll")) {
-      tilt.roll_rad = value;
-    } else if (is_named(name, "ptch") || is_named(name, "pitch")) {
-      tilt.pitch_rad = -value;  // there bow up is positive
-    } else if (!name.empty()) {
-      const FixedText<20> topic = topic_name(name);
-      sink_.on_number({topic.view(), value});
-    }
+    if (measured.value) put_measurement(measured, &tilt);
   }
   if (tilt.roll_rad || tilt.pitch_rad) sink_.on_tilt(tilt);
 }

@@ -67,14 +67,18 @@ void InstrumentTalker::on_attitude(SimTime stamp, const Attitude& attitude) {
   });
 }
 
-void InstrumentTalker::on_water_velocity(SimTime stamp, const WaterVelocity& velocity) {
-  const std::string& talker = sender_.params().talkers.water;
+void InstrumentTalker::add_water_distance(SimTime stamp, const WaterVelocity& velocity) {
   if (last_water_stamp_) {
     const double dt_s = (stamp - *last_water_stamp_).seconds();
     const double speed_m_s = std::hypot(velocity.ahead_m_s, velocity.port_m_s);
     if (dt_s > 0.0 && dt_s < kLongestGapS) water_distance_m_ += speed_m_s * dt_s;
   }
   last_water_stamp_ = stamp;
+}
+
+void InstrumentTalker::on_water_velocity(SimTime stamp, const WaterVelocity& velocity) {
+  const std::string& talker = sender_.params().talkers.water;
+  add_water_distance(stamp, velocity);
   sender_.send_if_due<Vhw>(talker, stamp, [&] {
     Vhw vhw;
     if (attitude_) vhw.heading_deg = bearing_deg(attitude_->heading_rad);

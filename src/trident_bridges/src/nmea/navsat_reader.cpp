@@ -73,17 +73,19 @@ void NavsatReader::read(const Gga& gga, const Receipt& receipt) {
   put_time(fix.unix_ns);
 }
 
+void NavsatReader::put_fix(const Rmc& rmc, const Receipt& receipt) {
+  NavsatFix fix;
+  fix.quality = rmc.status == 'A' ? Gga::kSingle : Gga::kNoFix;
+  put_place(rmc.latitude_deg, rmc.longitude_deg, &fix);
+  if (rmc.time) fix.unix_ns = utc_.unix_ns(*rmc.time, receipt);
+  sink_.on_fix(fix);
+  put_time(fix.unix_ns);
+}
+
 void NavsatReader::read(const Rmc& rmc, const Receipt& receipt) {
   if (rmc.date && rmc.time) utc_.set(*rmc.date, *rmc.time);
   const bool is_valid = rmc.status == 'A';
-  if (params_.use_rmc) {
-    NavsatFix fix;
-    fix.quality = is_valid ? Gga::kSingle : Gga::kNoFix;
-    put_place(rmc.latitude_deg, rmc.longitude_deg, &fix);
-    if (rmc.time) fix.unix_ns = utc_.unix_ns(*rmc.time, receipt);
-    sink_.on_fix(fix);
-    put_time(fix.unix_ns);
-  }
+  if (params_.use_rmc) put_fix(rmc, receipt);
   if (!is_valid || !rmc.speed_knots) return;
   put_velocity(*rmc.speed_knots * kMetersPerSecondPerKnot, rmc.course_deg);
 }

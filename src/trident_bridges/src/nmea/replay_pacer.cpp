@@ -18,18 +18,32 @@ inline constexpr bool has_time_v =
 /// Any day: of a recording only differences of time count.
 constexpr std::int64_t kSomeDayNs = 86'400LL * 1'000'000'000 * 10'000;
 
+void note_date(const Rmc& value, UtcResolver& utc) {
+  if (value.date && value.time) utc.set(*value.date, *value.time);
+}
+
+void note_date(const Zda& value, UtcResolver& utc) {
+  if (value.date() && value.time) utc.set(*value.date(), *value.time);
+}
+
+/// All others have no date.
+template <class T>
+void note_date(const T& /*value*/, UtcResolver& /*utc*/) {}
+
+/// Between two sentences whose times are so far apart.
+double pause_s(std::int64_t step_ns) {
+  const double step_s = 1e-9 * static_cast<double>(step_ns);
+  const bool is_steady = step_s >= 0.0 && step_s <= ReplayPacer::kMaxGapS;
+  return is_steady ? step_s : ReplayPacer::kJumpS;
+}
+
 }  // namespace
 
 double ReplayPacer::due_s(const Sentence& sentence) {
   std::optional<std::int64_t> time_ns;
   const auto find_time = [&](const auto& value) {
     using T = std::decay_t<decltype(value)>;
-    if constexpr (std::is_same_v<T, Rmc>) {
-      if (value.date && value.time) utc_.set(*value.date, *value.time);
-    }
-    if constexpr (std::is_same_v<T, Zda>) {
-      if (value.date() && value.time) utc_.set(*value.date(), *value.time);
-    }
+    note_date(value, utc_);
     if constexpr (has_time_v<T>) {
       if (value.time) time_ns = utc_.unix_ns(*value.time, {0.0, epoch_ns_.value_or(kSomeDayNs)});
     }
@@ -37,10 +51,7 @@ double ReplayPacer::due_s(const Sentence& sentence) {
   Refusal refusal;
   decode(sentence, find_time, &refusal);
   if (!time_ns) return due_s_;
-  if (epoch_ns_) {
-    const double step_s = 1e-9 * static_cast<double>(*time_ns - *epoch_ns_);
-    due_s_ += step_s >= 0.0 && step_s <= kMaxGapS ? step_s : kJumpS;
-  }
+  if (epoch_ns_) due_s_ += pause_s(*time_ns - *epoch_ns_);
   epoch_ns_ = time_ns;
   return due_s_;
 }

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "trident_base/error.h"
+#include "trident_base/hex_digit.h"
+#include "trident_bridges/nmea/field_values.h"
 
 namespace trident::bridges::nmea {
 namespace {
@@ -17,19 +19,13 @@ constexpr std::size_t kMakerAddressLength = 4;  ///< of "PUBX", at the least
 constexpr const char* kHexDigits = "0123456789ABCDEF";
 
 bool is_printable(char c) { return c >= ' ' && c <= '~'; }
+bool is_start(char c) { return c == '$' || c == '!'; }
 bool is_line_end(char c) { return c == '\r' || c == '\n'; }
-
-/// -1: no hexadecimal digit.
-int hex_value(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
-}
 
 /// The value of two hexadecimal digits, -1 when they are something else.
 int checksum_value(std::string_view digits) {
   if (digits.size() != kChecksumDigits) return -1;
-  const int high = hex_value(digits[0]), low = hex_value(digits[1]);
+  const int high = hex_digit(digits[0]), low = hex_digit(digits[1]);
   return high < 0 || low < 0 ? -1 : 16 * high + low;
 }
 
@@ -87,19 +83,23 @@ void SentenceFramer::take(char c, SentenceSink& sink) {
       take_in_tag_block(c);
       break;
     case State::kOverlong:
-      if (c == '$' || c == '!') {
-        begin(c);
-      } else if (!is_printable(c)) {
-        state_ = State::kIdle;
-      } else {
-        ++counts_.skipped;
-      }
+      take_overlong(c);
       break;
   }
 }
 
+void SentenceFramer::take_overlong(char c) {
+  if (is_start(c)) {
+    begin(c);
+  } else if (!is_printable(c)) {
+    state_ = State::kIdle;
+  } else {
+    ++counts_.skipped;
+  }
+}
+
 void SentenceFramer::take_idle(char c) {
-  if (c == '$' || c == '!') {
+  if (is_start(c)) {
     begin(c);
     return;
   }
@@ -112,7 +112,7 @@ void SentenceFramer::take_idle(char c) {
 }
 
 void SentenceFramer::take_in_tag_block(char c) {
-  if (c == '$' || c == '!') {
+  if (is_start(c)) {
     counts_.skipped += 1 + tag_length_;
     tag_length_ = 0;
     begin(c);
@@ -146,12 +146,16 @@ void SentenceFramer::take_in_sentence(char c, SentenceSink& sink) {
     if (is_over) state_ = State::kOverlong;
     take(c, sink);
   } else {
-    line_[length_] = c;
-    if (c == '*' && star_ == 0) star_ = length_;
-    if (c == '!') bang_ = length_;
-    ++length_;
-    if (star_ != 0 && length_ == star_ + 1 + kChecksumDigits) end_with_checksum(sink);
+    append(c, sink);
   }
+}
+
+void SentenceFramer::append(char c, SentenceSink& sink) {
+  line_[length_] = c;
+  if (c == '*' && star_ == 0) star_ = length_;
+  if (c == '!') bang_ = length_;
+  ++length_;
+  if (star_ != 0 && length_ == star_ + 1 + kChecksumDigits) end_with_checksum(sink);
 }
 
 void SentenceFramer::end_with_checksum(SentenceSink& sink) {
@@ -211,8 +215,7 @@ bool SentenceFramer::has_address() const {
   const std::string_view address = text.substr(1, end - 1);
   const bool is_maker = !address.empty() && address[0] == 'P';
   return address.size() >= (is_maker ? kMakerAddressLength : kAddressLength) &&
-         std::all_of(address.begin(), address.end(),
-                     [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); });
+         std::all_of(address.begin(), address.end(), is_capital_or_digit);
 }
 
 void SentenceFramer::take_again_from_bang(SentenceSink& sink) {

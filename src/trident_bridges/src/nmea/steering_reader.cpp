@@ -78,24 +78,25 @@ void RouteReader::read(const Wpl& wpl, const Receipt& /*receipt*/) {
   hand_on();
 }
 
+void RouteReader::begin_again() {
+  coming_.clear();
+  next_part_ = 1;
+}
+
+bool RouteReader::continues(const Rte& rte) const {
+  return *rte.number == next_part_ && coming_.size() + rte.waypoints.size() <= kMaxEntries;
+}
+
 void RouteReader::read(const Rte& rte, const Receipt& /*receipt*/) {
-  if (*rte.number == 1) {
-    coming_.clear();
-    next_part_ = 1;
-  }
-  if (*rte.number != next_part_ || coming_.size() + rte.waypoints.size() > kMaxEntries) {
-    next_part_ = 1;  // A part was lost: the next whole one counts.
-    coming_.clear();
-    return;
-  }
+  if (*rte.number == 1) begin_again();
+  if (!continues(rte)) return begin_again();  // A part was lost: the next whole one counts.
   for (const RouteEntry& entry : rte.waypoints) {
     if (!entry.name.empty()) coming_.push_back(entry.name);
   }
   ++next_part_;
   if (*rte.number < *rte.total) return;
   route_ = coming_;
-  coming_.clear();
-  next_part_ = 1;
+  begin_again();
   hand_on();
 }
 

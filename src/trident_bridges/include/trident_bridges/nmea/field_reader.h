@@ -66,10 +66,11 @@ class FieldReader {
   bool finish(Refusal* refusal);
 
  private:
+  struct AngleForm;
+
   std::string_view next();
   std::string_view next_text(const char* name, std::size_t capacity);
-  void angle(const char* name, std::optional<double>& degrees, std::size_t degree_digits,
-             double limit, const char* letters);
+  void angle(const char* name, std::optional<double>& degrees, const AngleForm& form);
   void refuse(const Refusal& refusal);
   std::size_t count_groups(const char* name, std::size_t fields, std::size_t behind,
                            std::size_t most);

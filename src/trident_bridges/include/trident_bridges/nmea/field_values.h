@@ -18,6 +18,11 @@ struct TimeOfDay {
   }
 };
 
+/// Whatever the locale is.
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// What talkers and sentences have as names.
+inline bool is_capital_or_digit(char c) { return is_digit(c) || (c >= 'A' && c <= 'Z'); }
+
 /// Legal values of a number in a sentence, in the sentence's unit.
 struct Limits {
   double lo = 0.0;  ///< legal itself

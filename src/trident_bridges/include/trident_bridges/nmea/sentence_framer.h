@@ -72,9 +72,11 @@ class SentenceFramer {
 
   void begin(char start);
   void take(char c, SentenceSink& sink);
+  void take_overlong(char c);
   void take_idle(char c);
   void take_in_tag_block(char c);
   void take_in_sentence(char c, SentenceSink& sink);
+  void append(char c, SentenceSink& sink);
   void end_with_checksum(SentenceSink& sink);
   void end_without_checksum(SentenceSink& sink);
   void hand_out(std::string_view text, SentenceSink& sink);

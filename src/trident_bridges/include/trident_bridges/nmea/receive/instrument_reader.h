@@ -51,6 +51,7 @@ class InstrumentReader {
   void put_wind(bool is_true, const std::optional<double>& angle_deg,
                 const std::optional<double>& speed_m_s);
   void put_wind(bool is_true, const SidedWind& wind);
+  void put_measurement(const Measurement& measured, Tilt* tilt);
   void put_number(std::string_view name, const std::optional<double>& value, double factor);
 
   Magnetic& magnetic_;

@@ -55,6 +55,7 @@ class NavsatReader {
   void read(const Dtm& dtm, const Receipt& receipt);  ///< offsets of fixes to come from WGS 84
 
  private:
+  void put_fix(const Rmc& rmc, const Receipt& receipt);
   void set_errors(const Gga& gga, NavsatFix* fix) const;
   double error_of(int quality) const;
   void put_place(const std::optional<double>& latitude_deg,

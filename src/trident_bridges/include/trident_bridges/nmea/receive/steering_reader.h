@@ -71,6 +71,8 @@ class RouteReader {
   static constexpr std::size_t kMaxEntries = 2'000;  ///< of a route
 
  private:
+  void begin_again();
+  bool continues(const Rte& rte) const;
   void hand_on();
 
   ReceiverSink& sink_;

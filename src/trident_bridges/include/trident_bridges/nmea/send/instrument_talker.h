@@ -38,6 +38,7 @@ class InstrumentTalker {
 
  private:
   std::optional<WindEvent> other_wind(const WindEvent& wind) const;
+  void add_water_distance(SimTime stamp, const WaterVelocity& velocity);
   void send_wind(SimTime stamp, const WindEvent& apparent_or_true);
 
   SentenceSender& sender_;
