@@ -41,12 +41,16 @@ void print(const Table& table) {
   }
 }
 
+/// Words that are left out fit all.
+bool fits(const Table& table, const std::vector<std::string>& words) {
+  return (words.empty() || words[0] == table.flavor_name) &&
+         (words.size() < 2 || words[1] == table.vehicle_name);
+}
+
 void print_matching(const std::vector<std::string>& words) {
   bool has_printed = false;
   for (const Table& table : kTables) {
-    const bool fits = (words.empty() || words[0] == table.flavor_name) &&
-                      (words.size() < 2 || words[1] == table.vehicle_name);
-    if (!fits) continue;
+    if (!fits(table, words)) continue;
     print(table);
     has_printed = true;
   }

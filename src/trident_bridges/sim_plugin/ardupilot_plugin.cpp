@@ -11,11 +11,28 @@
 
 #include "trident_base/angle.h"
 #include "trident_base/error.h"
+#include "trident_base/is_one_of.h"
 #include "trident_sim/sample_clock.h"
 #include "trident_sim/topic_names.h"
 
 namespace trident::bridges {
 namespace {
+
+constexpr const char* kTargetTypes[] = {"VELOCITY", "POSITION", "EFFORT", "COMMAND"};
+
+bool is_in_degrees(const sim::ParamNode& node) {
+  return std::any_of(node.attributes.begin(), node.attributes.end(), [](const auto& pair) {
+    return pair.first == "degrees" && pair.second == "true";
+  });
+}
+
+/// Of ArduPilot's servo outputs.
+bool is_channel(const std::string& number) {
+  return !number.empty() && number.size() < 3 &&
+         number.find_first_not_of("0123456789") == std::string::npos && std::stoul(number) <= 31;
+}
+
+bool is_target(const sim::Joint* joint) { return is_rotor(joint) || can_move(joint); }
 
 /// The rotation of a pose "x y z roll pitch yaw", in degrees where the element says so.
 std::optional<Eigen::Quaterniond> read_rotation(const sim::PluginParams& params, const char* key) {
@@ -28,10 +45,7 @@ std::optional<Eigen::Quaterniond> read_rotation(const sim::PluginParams& params,
   if (in.fail() || in >> rest) {
     params.refuse(key, node->text, "six numbers: x y z roll pitch yaw");
   }
-  const bool is_degrees = std::any_of(
-      node->attributes.begin(), node->attributes.end(),
-      [](const auto& pair) { return pair.first == "degrees" && pair.second == "true"; });
-  const double unit = is_degrees ? kPi / 180.0 : 1.0;
+  const double unit = is_in_degrees(*node) ? kPi / 180.0 : 1.0;
   return SE3::from_xyz_rpy(Eigen::Vector3d::Zero(), unit * numbers[3], unit * numbers[4],
                            unit * numbers[5])
       .R;
@@ -98,9 +112,7 @@ void ArduPilotPlugin::read_control(const sim::PluginContext& context, const sim:
   }
   channel.name = "control channel '" + number + "'";
   const sim::PluginParams params(node, context.params.owner() + " " + channel.name);
-  const bool is_number = !number.empty() && number.size() < 3 &&
-                         number.find_first_not_of("0123456789") == std::string::npos;
-  if (!is_number || std::stoul(number) > 31) {
+  if (!is_channel(number)) {
     context.params.refuse("control channel", number, "an integer in [0, 31]");
   }
   channel.servo = std::stoul(number);
@@ -126,26 +138,21 @@ void ArduPilotPlugin::read_control(const sim::PluginContext& context, const sim:
 void ArduPilotPlugin::add_target(const sim::PluginContext& context, const sim::PluginParams& params,
                                  Channel* channel) {
   const std::string type = params.text("type", "VELOCITY");
-  if (type != "VELOCITY" && type != "POSITION" && type != "EFFORT" && type != "COMMAND") {
+  if (!is_one_of(type, kTargetTypes)) {
     params.refuse("type", type, "VELOCITY, POSITION, EFFORT or COMMAND");
   }
   const sim::DriveSpec drive = read_servo_drive(params, type);
   const std::string name = params.required_text("jointName");
   sim::Joint* const joint = find_joint(*context.model, name);
-  if (joint != nullptr && joint->is_rotor) {
+  if (is_rotor(joint)) {
     channel->multiplier = std::abs(channel->multiplier);
     outputs_.add_motor(static_cast<std::size_t>(
         params.integer("motorNumber", static_cast<int>(channel->servo), {0.0, 31.0})));
     return;
   }
-  if (joint != nullptr && joint->axis_count() > 0) return outputs_.add_joint(*joint, drive);
-  std::string known;
-  for (const auto& other : context.model->joints) {
-    if (other->axis_count() > 0 || other->is_rotor) {
-      known += (known.empty() ? "" : ", ") + other->spec.name;
-    }
-  }
-  params.refuse("jointName", name, "a joint of the model that can move: " + known);
+  if (can_move(joint)) return outputs_.add_joint(*joint, drive);
+  params.refuse("jointName", name,
+                "a joint of the model that can move: " + joint_names(*context.model, is_target));
 }
 
 void ArduPilotPlugin::received(Span<const std::uint8_t> bytes) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "trident_base/error.h"
+#include "trident_base/string_util.h"
 
 namespace trident::bridges {
 namespace {
@@ -77,6 +78,14 @@ sim::Joint* find_joint(const sim::Model& model, const std::string& name) {
   if (sim::Joint* joint = model.find_joint(name)) return joint;
   const auto at = name.rfind("::");
   return at == std::string::npos ? nullptr : model.find_joint(name.substr(at + 2));
+}
+
+std::string joint_names(const sim::Model& model, bool (*counts)(const sim::Joint*)) {
+  std::vector<std::string> names;
+  for (const auto& joint : model.joints) {
+    if (counts(joint.get())) names.push_back(joint->spec.name);
+  }
+  return join(names);
 }
 
 void report_unread(sim::World& world, const sim::PluginParams& params) {

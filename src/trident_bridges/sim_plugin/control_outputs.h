@@ -54,6 +54,16 @@ class ControlOutputs {
 /// A joint of a model by its name, also by what follows the last "::"; nullptr: it has none.
 sim::Joint* find_joint(const sim::Model& model, const std::string& name);
 
+/// Whether there is a joint, and it turns a rotor of a motor model.
+inline bool is_rotor(const sim::Joint* joint) { return joint != nullptr && joint->is_rotor; }
+/// Whether there is a joint, and it can move.
+inline bool can_move(const sim::Joint* joint) {
+  return joint != nullptr && joint->axis_count() > 0;
+}
+
+/// "a, b, c": the joints of a model for which `counts` is true.
+std::string joint_names(const sim::Model& model, bool (*counts)(const sim::Joint*));
+
 /// Reports, once each, the elements of `params` that nothing has read.
 void report_unread(sim::World& world, const sim::PluginParams& params);
 

@@ -7,11 +7,14 @@
 #include <cstdio>
 
 #include "trident_base/error.h"
+#include "trident_base/is_one_of.h"
 #include "trident_sim/topic_names.h"
 
 namespace trident::bridges {
 namespace {
 
+constexpr const char* kControlTypes[] = {"velocity", "position", "position_gztopic",
+                                         "position_kinematic"};
 constexpr double kGaussPerTesla = 1e4;
 constexpr double kAirDensity = 1.225;  ///< [kg/m^3] at the sea, standard atmosphere
 
@@ -116,23 +119,19 @@ void MavlinkInterface::read_channel(const sim::PluginContext& context, const sim
 void MavlinkInterface::add_target(const sim::PluginContext& context,
                                   const sim::PluginParams& params, std::size_t number) {
   const std::string type = params.text("joint_control_type", "velocity");
-  if (type != "velocity" && type != "position" && type != "position_gztopic" &&
-      type != "position_kinematic") {
+  if (!is_one_of(type, kControlTypes)) {
     params.refuse("joint_control_type", type,
                   "velocity, position, position_gztopic or position_kinematic");
   }
   const sim::DriveSpec drive = read_drive(params, type);
   const std::string name = params.text("joint_name", "");
   sim::Joint* const joint = name.empty() ? nullptr : find_joint(*context.model, name);
-  if (name.empty() || (joint != nullptr && joint->is_rotor)) return outputs_.add_motor(number);
-  if (joint != nullptr && joint->axis_count() > 0) return outputs_.add_joint(*joint, drive);
-  std::string known;
-  for (const auto& other : context.model->joints) {
-    if (other->axis_count() > 0) known += (known.empty() ? "" : ", ") + other->spec.name;
-  }
+  if (name.empty() || is_rotor(joint)) return outputs_.add_motor(number);
+  if (can_move(joint)) return outputs_.add_joint(*joint, drive);
   world_.report(sim::Severity::kWarning, params.owner() + ": <joint_name> is '" + name +
                                              "', expected a joint of the model that can move: " +
-                                             known + "; the channel has no effect");
+                                             joint_names(*context.model, can_move) +
+                                             "; the channel has no effect");
   outputs_.add_nothing();
 }
 

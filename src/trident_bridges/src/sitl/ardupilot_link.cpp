@@ -79,15 +79,17 @@ std::string to_json(const JsonState& state, double timestamp_s) {
   return out.append("}\n");
 }
 
+bool ArduPilotLink::begins_program(const ServoPacket& packet) const {
+  return joins_ == 0 || is_gone_ || packet.frame_count < servos_.frame_count;
+}
+
 void ArduPilotLink::received(Span<const std::uint8_t> datagram) {
   const ServoPacket packet = parse_servo_packet(datagram);
-  const bool is_new_program = joins_ == 0 || is_gone_ || packet.frame_count < servos_.frame_count;
+  const bool is_new_program = begins_program(packet);
   if (!is_new_program && packet.frame_count == servos_.frame_count) {
     ++repeats_;
     // Before its step is made there is nothing to repeat: the answer comes by itself.
-    if (!has_packet_ && !answer_.empty()) {
-      send_({reinterpret_cast<const std::uint8_t*>(answer_.data()), answer_.size()});
-    }
+    if (!has_packet_) send_answer();
     return;
   }
   if (is_new_program) ++joins_;
@@ -104,6 +106,11 @@ void ArduPilotLink::send_state(const JsonState& state) {
   if (state.stamp.ns + shift_ns_ <= newest_ns_) shift_ns_ = newest_ns_ + 1'000'000 - state.stamp.ns;
   newest_ns_ = state.stamp.ns + shift_ns_;
   answer_ = to_json(state, 1e-9 * static_cast<double>(newest_ns_));
+  send_answer();
+}
+
+void ArduPilotLink::send_answer() {
+  if (answer_.empty()) return;
   send_({reinterpret_cast<const std::uint8_t*>(answer_.data()), answer_.size()});
 }
 

@@ -171,6 +171,8 @@ void EpollLoop::wake() {
 }
 
 void EpollLoop::dispatch(std::uint64_t key, std::uint32_t events) {
+  if (key == kTimerKey) return make_due_calls();
+  if (key == kWakeKey) return make_posted_call();
   const auto entry = watches_.find(static_cast<int>(key & 0xFFFFFFFFU));
   if (entry == watches_.end() || entry->second->serial != key >> 32) return;
   // A copy of the pointer: the callback may forget its descriptor.
@@ -185,13 +187,7 @@ bool EpollLoop::run_once(double timeout_s) {
   const int count = is_stopped_ ? 0 : epoll_wait(epoll_, events.data(), kEvents, timeout_ms);
   for (int i = 0; i < count && !is_stopped_; ++i) {
     const epoll_event& event = events[static_cast<std::size_t>(i)];
-    if (event.data.u64 == kTimerKey) {
-      make_due_calls();
-    } else if (event.data.u64 == kWakeKey) {
-      make_posted_call();
-    } else {
-      dispatch(event.data.u64, event.events);
-    }
+    dispatch(event.data.u64, event.events);
   }
   return !is_stopped_;
 }

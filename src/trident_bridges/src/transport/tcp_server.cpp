@@ -18,6 +18,11 @@ constexpr int kBacklog = 1024;
 constexpr int kAcceptedPerTurn = 64;
 constexpr double kPause_s = 0.1;
 
+/// Of descriptors or memory, which may end.
+bool is_shortage(int error) {
+  return error == EMFILE || error == ENFILE || error == ENOBUFS || error == ENOMEM;
+}
+
 }  // namespace
 
 TcpServer::TcpServer(const EndpointOptions& options, const EndpointUrl& url, PollLoop& loop,
@@ -61,7 +66,7 @@ void TcpServer::accept_some() {
         accept4(listener_.get(), address.get(), &address.size, SOCK_CLOEXEC | SOCK_NONBLOCK));
     if (socket.is_open()) {
       admit(std::move(socket), address);
-    } else if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
+    } else if (is_shortage(errno)) {
       pause();
       return;
     } else if (errno == EAGAIN) {

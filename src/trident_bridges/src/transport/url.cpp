@@ -38,15 +38,7 @@ class Parser {
   explicit Parser(std::string_view text) : text_(text) {}
 
   EndpointUrl parse() {
-    std::string_view rest = text_;
-    const auto scheme_end = rest.find("://");
-    if (scheme_end == std::string_view::npos) {
-      url_.kind = EndpointKind::kSerial;
-    } else {
-      url_.kind = kind_of(rest.substr(0, scheme_end));
-      rest.remove_prefix(scheme_end + 3);
-    }
-    rest = take_query(rest);
+    const std::string_view rest = take_query(take_scheme(text_));
     switch (url_.kind) {
       case EndpointKind::kUdp:
       case EndpointKind::kUdpBroadcast:
@@ -88,6 +80,17 @@ class Parser {
            " to " + std::to_string(hi));
     }
     return value;
+  }
+
+  // Reads the kind and returns what stands behind it.
+  std::string_view take_scheme(std::string_view text) {
+    const auto scheme_end = text.find("://");
+    if (scheme_end == std::string_view::npos) {
+      url_.kind = EndpointKind::kSerial;
+      return text;
+    }
+    url_.kind = kind_of(text.substr(0, scheme_end));
+    return text.substr(scheme_end + 3);
   }
 
   // Reads "?ids=system,component" and returns what stands before it, without the slash.
@@ -148,14 +151,17 @@ class Parser {
   }
 
   // Devices such as /dev/serial/by-path/pci-0:1.0 contain colons: a baud rate is the digits alone.
+  /// Else it is part of a path.
+  static bool is_baud(std::string_view tail) {
+    return !tail.empty() && std::isdigit(static_cast<unsigned char>(tail[0])) != 0 &&
+           tail.find_first_of("/.") == std::string_view::npos;
+  }
+
   void parse_device(std::string_view rest) {
     const auto colon = rest.rfind(':');
     const std::string_view tail =
         colon == std::string_view::npos ? std::string_view() : rest.substr(colon + 1);
-    const bool has_baud = !tail.empty() && tail.find('/') == std::string_view::npos &&
-                          std::isdigit(static_cast<unsigned char>(tail[0])) != 0 &&
-                          tail.find('.') == std::string_view::npos;
-    if (has_baud) {
+    if (is_baud(tail)) {
       url_.baud = static_cast<std::uint32_t>(number("baud", tail, 50, kLongestBaud));
       rest = rest.substr(0, colon);
     }

@@ -74,6 +74,9 @@ class ArduPilotLink {
   SimTime answered() const { return answered_; }         ///< stamp of the last answer
 
  private:
+  bool begins_program(const ServoPacket& packet) const;
+  void send_answer();
+
   bool lockstep_;
   Send send_;
   ServoPacket servos_;

@@ -122,16 +122,19 @@ class RadioEndpoint : public Endpoint {
     if (events_.received) events_.received(peer, packet.data);
   }
 
+  void note_refused(const std::string& robot) {
+    if (counts_.refused_peers++ > 0 || !events_.warning) return;
+    events_.warning(name() + ": peer " + robot + " is refused: there are " +
+                    std::to_string(options_.max_peers) + " already");
+  }
+
   // 0: there are too many.
   PeerId peer_of(const std::string& robot) {
     for (const PeerInfo& info : peers_) {
       if (info.address == robot) return info.id;
     }
     if (peers_.size() >= options_.max_peers) {
-      if (counts_.refused_peers++ == 0 && events_.warning) {
-        events_.warning(name() + ": peer " + robot + " is refused: there are " +
-                        std::to_string(options_.max_peers) + " already");
-      }
+      note_refused(robot);
       return 0;
     }
     const PeerId id = add(robot);
