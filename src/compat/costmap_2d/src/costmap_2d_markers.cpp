@@ -30,6 +30,10 @@ void add_column(const costmap_2d::VoxelGrid& grid, std::size_t cell,
   }
 }
 
+bool is_finite(const geometry_msgs::Point32& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
 /// Empty, or what is wrong with a grid.
 std::string problem_of(const costmap_2d::VoxelGrid& grid) {
   const geometry_msgs::Vector3& sides = grid.resolutions;
@@ -38,10 +42,7 @@ std::string problem_of(const costmap_2d::VoxelGrid& grid) {
       return "resolutions has " + std::to_string(side) + " m, legal: above 0, below 1000";
     }
   }
-  const geometry_msgs::Point32& origin = grid.origin;
-  if (!std::isfinite(origin.x) || !std::isfinite(origin.y) || !std::isfinite(origin.z)) {
-    return "origin is not finite";
-  }
+  if (!is_finite(grid.origin)) return "origin is not finite";
   const std::size_t cells = std::size_t{grid.size_x} * grid.size_y;
   if (grid.data.size() == cells) return "";
   return "data has " + std::to_string(grid.data.size()) +

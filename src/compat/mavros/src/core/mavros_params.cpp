@@ -74,8 +74,19 @@ void read_distance_sensors(ros_utils::NodeParams& params, MavrosParams& result) 
   }
 }
 
+bool is_wheel(const std::string& key) {
+  return key.rfind("wheel", 0) == 0 && key.size() > 5 &&
+         key.find_first_not_of("0123456789", 5) == std::string::npos;
+}
+
 /// The odometry is that of wheel0 and wheel1; files have those of all wheels. One without a value
 /// is left out: a parameter server keeps a section whose last parameter was deleted.
+bool is_needed(const std::string& key, const ConfigNode& value) {
+  if (!is_wheel(key)) return true;
+  const bool has_value = value.kind != ConfigNode::Kind::kMap || !value.keys.empty();
+  return has_value && (key == "wheel0" || key == "wheel1");
+}
+
 void drop_more_wheels(ros_utils::NodeParams& params) {
   std::optional<ConfigNode> section = params.take("wheel_odometry");
   if (!section) return;
@@ -85,11 +96,8 @@ void drop_more_wheels(ros_utils::NodeParams& params) {
   kept.items.clear();
   for (std::size_t i = 0; i < section->keys.size(); ++i) {
     const std::string& key = section->keys[i];
-    const bool is_wheel = key.rfind("wheel", 0) == 0 && key.size() > 5 &&
-                          key.find_first_not_of("0123456789", 5) == std::string::npos;
-    if (is_wheel && key != "wheel0" && key != "wheel1") continue;
     const ConfigNode& value = section->items[i];
-    if (is_wheel && value.kind == ConfigNode::Kind::kMap && value.keys.empty()) continue;
+    if (!is_needed(key, value)) continue;
     kept.keys.push_back(key);
     kept.key_lines.push_back(section->key_lines[i]);
     kept.items.push_back(value);

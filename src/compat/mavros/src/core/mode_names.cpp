@@ -94,6 +94,12 @@ const NamedModes& modes_of_vehicle(std::uint8_t autopilot, std::uint8_t type) {
   return autopilot == MAV_AUTOPILOT_ARDUPILOTMEGA ? ardupilot_modes(type) : kNoModes;
 }
 
+bool is_mode_number(const std::string& name) {
+  constexpr std::size_t kMaxDigits = 9;
+  return !name.empty() && name.size() <= kMaxDigits &&
+         std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 }  // namespace
 
 std::string mode_name(std::uint8_t autopilot, std::uint8_t type, std::uint32_t custom_mode) {
@@ -108,11 +114,7 @@ std::optional<std::uint32_t> mode_number(std::uint8_t autopilot, std::uint8_t ty
   for (const NamedMode& mode : modes_of_vehicle(autopilot, type)) {
     if (name == mode.name) return mode.number;
   }
-  constexpr std::size_t kMaxDigits = 9;
-  const bool is_number =
-      !name.empty() && name.size() <= kMaxDigits &&
-      std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (!is_number) return std::nullopt;
+  if (!is_mode_number(name)) return std::nullopt;
   return static_cast<std::uint32_t>(std::stoul(name));
 }
 

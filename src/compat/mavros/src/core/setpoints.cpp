@@ -59,13 +59,18 @@ void read_motion_of(const Payload& payload, LocalTarget& target) {
 
 /// The first part that counts by the mask and is no number.
 std::string motion_problem(const LocalTarget& target, unsigned mask) {
-  const bool counts_v = (mask & kVelocity) != kVelocity;
-  const bool counts_a = (mask & kAcceleration) != kAcceleration;
-  if (counts_v && !target.v_m_s.allFinite()) return "velocity is not finite";
-  if (counts_a && !target.a_m_s2.allFinite()) return "acceleration is not finite";
-  if ((mask & kYaw) == 0 && !std::isfinite(target.yaw)) return "yaw is not finite";
-  if ((mask & kYawRate) == 0 && !std::isfinite(target.yaw_rate_rad_s)) {
-    return "yaw rate is not finite";
+  struct Part {
+    unsigned bits;
+    bool is_finite;
+    const char* name;
+  };
+  const Part parts[] = {{kVelocity, target.v_m_s.allFinite(), "velocity"},
+                        {kAcceleration, target.a_m_s2.allFinite(), "acceleration"},
+                        {kYaw, std::isfinite(target.yaw), "yaw"},
+                        {kYawRate, std::isfinite(target.yaw_rate_rad_s), "yaw rate"}};
+  for (const Part& part : parts) {
+    const bool counts = (mask & part.bits) != part.bits;
+    if (counts && !part.is_finite) return std::string(part.name) + " is not finite";
   }
   return "";
 }
@@ -118,14 +123,15 @@ std::string problem_of(const LocalTarget& target) {
 }
 
 std::string problem_of(const GlobalTarget& target) {
-  const bool counts_p = (target.mask & kPosition) != kPosition;
-  if (counts_p && !(std::abs(target.latitude_deg) <= 90.0)) {
+  const bool has_place = (target.mask & kPosition) != kPosition;
+  if (!has_place) return motion_problem(target.motion, target.mask);
+  if (!(std::abs(target.latitude_deg) <= 90.0)) {
     return "latitude is " + number_text(target.latitude_deg) + ", legal: -90 to 90";
   }
-  if (counts_p && !(std::abs(target.longitude_deg) <= 180.0)) {
+  if (!(std::abs(target.longitude_deg) <= 180.0)) {
     return "longitude is " + number_text(target.longitude_deg) + ", legal: -180 to 180";
   }
-  if (counts_p && !std::isfinite(target.altitude_m)) return "altitude is not finite";
+  if (!std::isfinite(target.altitude_m)) return "altitude is not finite";
   return motion_problem(target.motion, target.mask);
 }
 

@@ -69,6 +69,10 @@ void VehicleSide::receive(const Packet& packet) {
   if (packet.source == target_) note_heartbeat(message);
   note_text(message);
   commands_.handle(message, now());
+  hand_on(message);
+}
+
+void VehicleSide::hand_on(const Message& message) const {
   const auto found = handlers_.by_type.find(message.id);
   if (found == handlers_.by_type.end()) return;
   for (const Handler& handler : found->second) handler(message);
@@ -138,12 +142,19 @@ void VehicleSide::explain(const CommandOutcome& outcome, SimTime asked,
   loop_.call_after(kTextsDelay_s, finish);
 }
 
+/// From this clock to the vehicle's; nullopt: it is not known yet.
+std::optional<std::int64_t> VehicleSide::clock_offset_ns() const {
+  if (is_one_clock_) return 0;
+  const auto& best = timesync_.best();
+  if (!best) return std::nullopt;
+  return best->offset_ns;
+}
+
 ros::Time VehicleSide::stamp(std::int64_t since_boot_ns) const {
   const ros::Time present = ros::Time::now();
-  if (uses_own_time_) return present;
-  const auto& offset = timesync_.best();
-  if (!is_one_clock_ && !offset) return present;
-  const std::int64_t ns = since_boot_ns - (is_one_clock_ ? 0 : offset->offset_ns);
+  const auto offset_ns = clock_offset_ns();
+  if (uses_own_time_ || !offset_ns) return present;
+  const std::int64_t ns = since_boot_ns - *offset_ns;
   const double apart_s =
       1e-9 * std::abs(static_cast<double>(ns) - static_cast<double>(present.toNSec()));
   if (ns <= 0 || apart_s > kClocksApart_s) return present;
@@ -153,12 +164,11 @@ ros::Time VehicleSide::stamp(std::int64_t since_boot_ns) const {
 }
 
 std::uint32_t VehicleSide::boot_ms(const ros::Time& stamp) const {
-  const auto& offset = timesync_.best();
+  const auto offset_ns = clock_offset_ns();
   // The difference of two times may be no ros::Duration.
   const double apart_s = std::abs(stamp.toSec() - ros::Time::now().toSec());
-  if (stamp.isZero() || apart_s > kClocksApart_s || (!is_one_clock_ && !offset)) return 0;
-  const std::int64_t ns =
-      static_cast<std::int64_t>(stamp.toNSec()) + (is_one_clock_ ? 0 : offset->offset_ns);
+  if (stamp.isZero() || apart_s > kClocksApart_s || !offset_ns) return 0;
+  const std::int64_t ns = static_cast<std::int64_t>(stamp.toNSec()) + *offset_ns;
   constexpr std::int64_t kPerMillisecond = 1'000'000;
   return ns > 0 ? static_cast<std::uint32_t>(ns / kPerMillisecond) : 0U;
 }

@@ -87,6 +87,8 @@ class VehicleSide {
 
  private:
   void receive(const Packet& packet);
+  void hand_on(const Message& message) const;
+  std::optional<std::int64_t> clock_offset_ns() const;
   void note_heartbeat(const Message& message);
   void set_connected(bool is_connected);
   void note_text(const Message& message);

@@ -52,12 +52,19 @@ void WheelOdometry::set_yaw(double yaw) {
   axle_covariance_ = R * axle_covariance_ * R.transpose();
 }
 
+/// That of a vehicle that has started again is, too.
+bool WheelOdometry::is_first_at(SimTime time) const { return !time_ || time < *time_; }
+
+/// A first measurement is usable, and a later one of as many wheels as that before it.
+bool WheelOdometry::is_usable(const std::vector<double>& values, SimTime time) const {
+  if (values.empty()) return false;
+  return is_first_at(time) || (time != *time_ && values.size() == values_.size());
+}
+
 std::optional<WheelOdometry::Step> WheelOdometry::advance(const std::vector<double>& values,
                                                           SimTime time) {
-  const bool is_first = !time_ || time < *time_;  // of a vehicle that has started again, too
-  if (values.empty() || (!is_first && (time == *time_ || values.size() != values_.size()))) {
-    return std::nullopt;
-  }
+  if (!is_usable(values, time)) return std::nullopt;
+  const bool is_first = is_first_at(time);
   if (values.size() == 1) is_single_ = true;
   const Step step{std::exchange(values_, values), is_first ? 0.0 : (time - *time_).seconds()};
   time_ = time;

@@ -41,6 +41,8 @@ class WheelOdometry {
     std::vector<double> before;
     double dt_s;
   };
+  bool is_first_at(SimTime time) const;
+  bool is_usable(const std::vector<double>& values, SimTime time) const;
   std::optional<Step> advance(const std::vector<double>& values, SimTime time);
   WheelMotion drive(double travel0_m, double travel1_m, double dt_s);
 

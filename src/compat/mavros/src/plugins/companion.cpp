@@ -99,10 +99,13 @@ class ObstacleDistance : public Plugin {
     constexpr double kMax = UINT16_MAX - 1;
     return to_whole<std::uint16_t>(std::min(kMax, kPerMeter * distance_m));
   }
+  static bool has_angles(const sensor_msgs::LaserScan& scan) {
+    return std::abs(scan.angle_increment) > 0.0F && std::isfinite(scan.angle_increment) &&
+           std::isfinite(scan.angle_min);
+  }
   void send_scan(const sensor_msgs::LaserScan& scan) {
     const std::size_t rays = scan.ranges.size();
-    if (rays == 0 || !(std::abs(scan.angle_increment) > 0.0F) ||
-        !std::isfinite(scan.angle_increment) || !std::isfinite(scan.angle_min)) {
+    if (rays == 0 || !has_angles(scan)) {
       hub_.ros.refusals().note("scans refused", "obstacle/send: it has no rays, or no angles");
       return;
     }

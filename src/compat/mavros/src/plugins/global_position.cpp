@@ -141,12 +141,13 @@ class GlobalPosition : public Plugin {
       fix.position_covariance_type = NavSatFix::COVARIANCE_TYPE_UNKNOWN;
       return;
     }
-    const double horizontal =
-        has_accuracy ? p.h_acc * kMillimeter : p.eph * kCentimeter * params_.gps_uere;
-    const double vertical =
-        has_accuracy ? p.v_acc * kMillimeter : p.epv * kCentimeter * params_.gps_uere;
-    fix.position_covariance_type = has_accuracy ? NavSatFix::COVARIANCE_TYPE_DIAGONAL_KNOWN
-                                                : NavSatFix::COVARIANCE_TYPE_APPROXIMATED;
+    double horizontal = p.h_acc * kMillimeter, vertical = p.v_acc * kMillimeter;
+    fix.position_covariance_type = NavSatFix::COVARIANCE_TYPE_DIAGONAL_KNOWN;
+    if (!has_accuracy) {
+      horizontal = p.eph * kCentimeter * params_.gps_uere;
+      vertical = p.epv * kCentimeter * params_.gps_uere;
+      fix.position_covariance_type = NavSatFix::COVARIANCE_TYPE_APPROXIMATED;
+    }
     fix.position_covariance[0] = fix.position_covariance[4] = horizontal * horizontal;
     fix.position_covariance[8] = vertical * vertical;
   }
@@ -168,6 +169,15 @@ class GlobalPosition : public Plugin {
     publish_local(fix, p);
   }
 
+  bridges::mavlink::Matrix6 pose_covariance(const NavSatFix& fix) const {
+    bridges::mavlink::Matrix6 covariance = bridges::mavlink::Matrix6::Zero();
+    for (int i = 0; i < 3; ++i) {
+      covariance(i, i) = fix.position_covariance[static_cast<std::size_t>(4 * i)];
+      covariance(3 + i, 3 + i) = params_.rot_covariance;
+    }
+    return covariance;
+  }
+
   void publish_local(const NavSatFix& fix, const mavlink_global_position_int_t& p) {
     const GeoPlace place{fix.latitude, fix.longitude, p.alt * kMillimeter};
     // Without a fix latitude and longitude are 0, which would be the origin from then on.
@@ -185,12 +195,7 @@ class GlobalPosition : public Plugin {
     assign_rotation(odometry.pose.pose.orientation, hub_.known.R_world_body);
     assign(odometry.twist.twist.linear, hub_.known.R_world_body.inverse() * v);
     assign(odometry.twist.twist.angular, hub_.known.w_body_rad_s);
-    bridges::mavlink::Matrix6 covariance = bridges::mavlink::Matrix6::Zero();
-    for (int i = 0; i < 3; ++i) {
-      covariance(i, i) = fix.position_covariance[static_cast<std::size_t>(4 * i)];
-      covariance(3 + i, 3 + i) = params_.rot_covariance;
-    }
-    assign_matrix6(odometry.pose.covariance, covariance);
+    assign_matrix6(odometry.pose.covariance, pose_covariance(fix));
     local_->publish(odometry);
     transform_.send(odometry.header.stamp, at, hub_.known.R_world_body);
   }

@@ -199,6 +199,17 @@ class ParamPlugin : public Plugin {
                  });
   }
 
+  /// Of a parameter that the vehicle has, with another value.
+  std::optional<double> changed_value(const std::string& name, XmlRpc::XmlRpcValue& xml) const {
+    const auto known = client_->parameters().find(name);
+    const auto value = from_xml(xml);
+    constexpr double kSame = 1e-6;
+    if (known == client_->parameters().end() || !value) return std::nullopt;
+    const double change = std::abs(known->second.value - *value);
+    const bool is_changed = change > kSame * std::max(1.0, std::abs(*value));
+    return is_changed ? value : std::nullopt;
+  }
+
   void push(const WaitingServices::Reply<ParamPush>& reply) {
     XmlRpc::XmlRpcValue all;
     ParamPush::Response response;
@@ -208,13 +219,7 @@ class ParamPlugin : public Plugin {
     }
     auto changed = std::make_shared<std::deque<std::pair<std::string, double>>>();
     for (auto& [name, xml] : all) {
-      const auto known = client_->parameters().find(name);
-      const auto value = from_xml(xml);
-      constexpr double kSame = 1e-6;
-      if (known == client_->parameters().end() || !value) continue;
-      if (std::abs(known->second.value - *value) > kSame * std::max(1.0, std::abs(*value))) {
-        changed->emplace_back(name, *value);
-      }
+      if (const auto value = changed_value(name, xml)) changed->emplace_back(name, *value);
     }
     response.success = 1U;
     push_next(changed, response, reply);

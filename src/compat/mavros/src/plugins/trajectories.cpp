@@ -67,17 +67,20 @@ class SetpointTrajectory : public SetpointPlugin {
   }
 
  private:
+  std::string problem_of_point(const MultiDOFJointTrajectoryPoint& point,
+                               const ros::Duration& last) const {
+    if (point.transforms.empty()) return "it has no transform";
+    if (point.time_from_start < last) return "time_from_start is before that before it";
+    if (point.time_from_start.sec > kLongest_s) return "time_from_start is more than a day";
+    return problem_of(target_of(point, frame()));
+  }
+
   std::string problem_of_trajectory(const MultiDOFJointTrajectory& message) const {
     ros::Duration last(0.0);
     for (std::size_t i = 0; i < message.points.size(); ++i) {
-      const auto& point = message.points[i];
-      const std::string name = "point " + std::to_string(i) + ": ";
-      if (point.transforms.empty()) return name + "it has no transform";
-      if (point.time_from_start < last) return name + "time_from_start is before that before it";
-      last = point.time_from_start;
-      if (last.sec > kLongest_s) return name + "time_from_start is more than a day";
-      const std::string problem = problem_of(target_of(point, frame()));
-      if (!problem.empty()) return name + problem;
+      const std::string problem = problem_of_point(message.points[i], last);
+      if (!problem.empty()) return "point " + std::to_string(i) + ": " + problem;
+      last = message.points[i].time_from_start;
     }
     return message.points.empty() ? "it has no points" : "";
   }

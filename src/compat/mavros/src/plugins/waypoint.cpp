@@ -110,23 +110,30 @@ class ListPlugin : public Plugin {
     return false;
   }
 
-  void push(const WaypointPush::Request& request,
-            const WaitingServices::Reply<WaypointPush>& reply) {
-    bridges::mavlink::Mission list(items_);
+  /// Puts the waypoints in their places; returns why they cannot be put there, if so.
+  static std::string put_waypoints(const WaypointPush::Request& request,
+                                   bridges::mavlink::Mission& list) {
     if (request.start_index > list.size()) {
-      refuse("start_index is " + std::to_string(request.start_index) +
-             ", legal: up to the number of items that are known, " + std::to_string(list.size()));
-      return reply(WaypointPush::Response());
+      return "start_index is " + std::to_string(request.start_index) +
+             ", legal: up to the number of items that are known, " + std::to_string(list.size());
     }
     const std::size_t end = request.start_index + request.waypoints.size();
     if (request.start_index == 0 || end > list.size()) list.resize(end);
     for (std::size_t i = 0; i < request.waypoints.size(); ++i) {
       const std::string problem = problem_of(request.waypoints[i]);
-      if (!problem.empty()) {
-        refuse("waypoint " + std::to_string(i) + ": " + problem);
-        return reply(WaypointPush::Response());
-      }
+      if (!problem.empty()) return "waypoint " + std::to_string(i) + ": " + problem;
       list[request.start_index + i] = to_item(request.waypoints[i]);
+    }
+    return "";
+  }
+
+  void push(const WaypointPush::Request& request,
+            const WaitingServices::Reply<WaypointPush>& reply) {
+    bridges::mavlink::Mission list(items_);
+    const std::string problem = put_waypoints(request, list);
+    if (!problem.empty()) {
+      refuse(problem);
+      return reply(WaypointPush::Response());
     }
     const auto count = static_cast<std::uint32_t>(request.waypoints.size());
     const bool is_begun = begin([this, reply, list, count](const MissionOutcome& outcome) {
@@ -146,9 +153,12 @@ class ListPlugin : public Plugin {
       return;
     }
     const auto ack = bridges::mavlink::unpack<mavlink_mission_ack_t>(message);
-    const bool is_others = ack.target_system != vehicle_.self().system && !client_.is_busy() &&
-                           ack.mission_type == static_cast<std::uint8_t>(type_);
-    if (is_others && ack.type == MAV_MISSION_ACCEPTED) pull([](const MissionOutcome&) {});
+    if (is_upload_of_others(ack) && !client_.is_busy()) pull([](const MissionOutcome&) {});
+  }
+
+  bool is_upload_of_others(const mavlink_mission_ack_t& ack) const {
+    return ack.target_system != vehicle_.self().system &&
+           ack.mission_type == static_cast<std::uint8_t>(type_) && ack.type == MAV_MISSION_ACCEPTED;
   }
 
   void on_end(const MissionOutcome& outcome) {
