@@ -36,6 +36,15 @@ Decision::Decision(const Problem& problem, std::shared_ptr<const SplineBasis> ba
   set_scales();
 }
 
+/// A free one has a variable, the logarithm of its ratio to the guess.
+void Decision::add_duration(const Duration& duration) {
+  durations_.push_back(duration.value);
+  duration_offset_.push_back(duration.is_free ? variables_++ : -1);
+  if (!duration.is_free) return;
+  lower_.push_back(duration.min > 0.0 ? std::log(duration.min / duration.value) : -std::log(10.0));
+  upper_.push_back(duration.max > 0.0 ? std::log(duration.max / duration.value) : std::log(10.0));
+}
+
 void Decision::add_variables() {
   for (std::size_t i = 0; i < problem_.robots.size(); ++i) {
     robot_offset_.push_back(variables_);
@@ -45,14 +54,7 @@ void Decision::add_variables() {
     place_offset_.push_back(variables_);
   lower_.assign(variables_, -kUnbounded);
   upper_.assign(variables_, kUnbounded);
-  for (const Duration& duration : problem_.durations) {
-    durations_.push_back(duration.value);
-    duration_offset_.push_back(duration.is_free ? variables_++ : -1);
-    if (!duration.is_free) continue;
-    lower_.push_back(duration.min > 0.0 ? std::log(duration.min / duration.value)
-                                        : -std::log(10.0));
-    upper_.push_back(duration.max > 0.0 ? std::log(duration.max / duration.value) : std::log(10.0));
-  }
+  for (const Duration& duration : problem_.durations) add_duration(duration);
   x_.assign(variables_, 0.0);
 }
 

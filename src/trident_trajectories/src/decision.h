@@ -58,6 +58,7 @@ class Decision {
     Eigen::Vector3d dp, dv, da;  ///< their derivatives by the duration
   };
   int axes(std::size_t robot) const;
+  void add_duration(const Duration& duration);
   void add_variables();
   void set_scales();
   End end_of(std::size_t robot, double duration, const double* x) const;

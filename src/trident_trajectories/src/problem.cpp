@@ -201,6 +201,19 @@ void check_names(const Problem& problem) {
   }
 }
 
+void check_places(const Problem& problem) {
+  for (std::size_t i = 0; i < problem.places.size(); ++i)
+    check(problem.places[i].allFinite(), "place " + std::to_string(i), "position",
+          problem.places[i].x(), "finite");
+}
+
+void check_contacts(const Problem& problem) {
+  for (const AllowedContact& contact : problem.contacts) {
+    check_index(contact.first, problem.robots.size(), "contact", "first");
+    check_index(contact.second, problem.robots.size(), "contact", "second");
+  }
+}
+
 }  // namespace
 
 Kind kind_of_name(const std::string& name) {
@@ -232,17 +245,12 @@ void validate(const Problem& problem) {
   check_cost(problem);
   for (std::size_t i = 0; i < problem.durations.size(); ++i)
     check_duration(problem.durations[i], i);
-  for (std::size_t i = 0; i < problem.places.size(); ++i)
-    check(problem.places[i].allFinite(), "place " + std::to_string(i), "position",
-          problem.places[i].x(), "finite");
+  check_places(problem);
   for (const Robot& robot : problem.robots) check_robot(problem, robot);
   for (const MovingObstacle& obstacle : problem.moving) check_moving(obstacle);
   for (std::size_t i = 0; i < problem.rendezvous.size(); ++i) check_rendezvous(problem, i);
   for (std::size_t i = 0; i < problem.order.size(); ++i) check_order(problem, i);
-  for (const AllowedContact& contact : problem.contacts) {
-    check_index(contact.first, problem.robots.size(), "contact", "first");
-    check_index(contact.second, problem.robots.size(), "contact", "second");
-  }
+  check_contacts(problem);
 }
 
 }  // namespace trident::trajectories

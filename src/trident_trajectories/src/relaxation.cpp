@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "trident_base/is_one_of.h"
+
 namespace trident::trajectories {
 namespace {
 
@@ -114,19 +116,47 @@ std::vector<Candidate> candidates_of(const std::vector<Violation>& found, double
   return out;
 }
 
+/// Limits whose bound is the least legal value.
+constexpr LimitKind kMinimumBounds[] = {LimitKind::kSeparation, LimitKind::kObstacle,
+                                        LimitKind::kMovingObstacle, LimitKind::kTurningRadius,
+                                        LimitKind::kOrder};
+
 /// A limit's value after a change, as it is written in a message.
 double changed(const Violation& violation, double factor) {
-  const bool shrinks =
-      violation.limit == LimitKind::kSeparation || violation.limit == LimitKind::kObstacle ||
-      violation.limit == LimitKind::kMovingObstacle ||
-      violation.limit == LimitKind::kTurningRadius || violation.limit == LimitKind::kOrder;
   if (violation.limit == LimitKind::kHeight) return violation.bound - (factor - 1.0);
+  const bool shrinks = is_one_of(violation.limit, kMinimumBounds);
   return shrinks ? violation.bound / factor : violation.bound * factor;
 }
 
 void put_first(LimitKind limit, std::vector<Violation>& found) {
   std::stable_partition(found.begin(), found.end(),
                         [&](const Violation& violation) { return violation.limit == limit; });
+}
+
+/// The candidate that alone makes the problem feasible with the least factor; nullptr: none does.
+const Candidate* least_change(const std::vector<Candidate>& candidates) {
+  const Candidate* best = nullptr;
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.factor) continue;
+    if (best == nullptr || *candidate.factor < *best->factor) best = &candidate;
+  }
+  return best;
+}
+
+/// What makes the problem feasible: one limit's change, or a longer duration.
+std::string remedy(const Violation& violation, const Candidate* change,
+                   const std::optional<double>& longer) {
+  std::ostringstream text;
+  text.precision(4);
+  if (change == nullptr && !longer)
+    text << "; no change of one limit up to a factor of " << kGreatestFactor << " is enough";
+  if (change != nullptr)
+    text << "; feasible with " << name_of(change->limit) << " "
+         << changed(violation, *change->factor);
+  if (longer)
+    text << (change != nullptr ? ", or" : "; feasible") << " with " << *longer
+         << " times the duration";
+  return text.str();
 }
 
 }  // namespace
@@ -140,28 +170,15 @@ std::string explain(const Problem& problem, const OptimizeOptions& options,
   quick.max_evaluations = std::min(options.max_evaluations, kAttemptEvaluations);
   const double guess = 1.0 + std::max(0.0, found.front().relative);
   std::vector<Candidate> candidates = candidates_of(found, options.tolerance);
-  const Candidate* best = nullptr;
   for (Candidate& candidate : candidates) {
     candidate.factor = least_factor(
         quick, guess, [&](double factor) { return relaxed(problem, candidate, factor); });
-    if (candidate.factor && (best == nullptr || *candidate.factor < *best->factor))
-      best = &candidate;
   }
+  const Candidate* const best = least_change(candidates);
   if (best != nullptr) put_first(best->limit, found);
   const auto longer =
       least_factor(quick, guess, [&](double factor) { return slower(problem, factor); });
-  std::ostringstream text;
-  text.precision(4);
-  text << describe(found.front(), problem);
-  if (best != nullptr)
-    text << "; feasible with " << name_of(best->limit) << " "
-         << changed(found.front(), *best->factor);
-  if (longer)
-    text << (best != nullptr ? ", or" : "; feasible") << " with " << *longer
-         << " times the duration";
-  if (best == nullptr && !longer)
-    text << "; no change of one limit up to a factor of " << kGreatestFactor << " is enough";
-  return text.str();
+  return describe(found.front(), problem) + remedy(found.front(), best, longer);
 }
 
 }  // namespace trident::trajectories

@@ -26,6 +26,14 @@ double crowding_distance(const Problem& problem, std::size_t i, std::size_t j) {
   return 1.5 * separation_of(problem, i, j);
 }
 
+bool come_near(const Trajectory& a, const Trajectory& b, double horizon, double distance) {
+  for (int k = 0; k <= kInstants; ++k) {
+    const double t = horizon * k / kInstants;
+    if ((a.at(t).p - b.at(t).p).norm() < distance) return true;
+  }
+  return false;
+}
+
 /// How many others come too near to each robot on undisturbed paths.
 std::vector<int> conflicts(const Problem& problem, const std::vector<Trajectory>& paths) {
   std::vector<int> out(paths.size(), 0);
@@ -33,13 +41,10 @@ std::vector<int> conflicts(const Problem& problem, const std::vector<Trajectory>
   for (const Trajectory& path : paths) horizon = std::max(horizon, path.duration());
   for (std::size_t i = 0; i < paths.size(); ++i) {
     for (std::size_t j = i + 1; j < paths.size(); ++j) {
-      bool is_near = false;
-      for (int k = 0; k <= kInstants && !is_near && must_separate(problem, i, j); ++k) {
-        const double t = horizon * k / kInstants;
-        is_near = (paths[i].at(t).p - paths[j].at(t).p).norm() < crowding_distance(problem, i, j);
-      }
-      out[i] += is_near ? 1 : 0;
-      out[j] += is_near ? 1 : 0;
+      const bool is_near = must_separate(problem, i, j) &&
+                           come_near(paths[i], paths[j], horizon, crowding_distance(problem, i, j));
+      out[i] += static_cast<int>(is_near);
+      out[j] += static_cast<int>(is_near);
     }
   }
   return out;

@@ -25,22 +25,30 @@ constexpr double kStep_s = 0.05;         // between the samples of an answer
 Eigen::Vector3d vector_of(const geometry_msgs::Point& p) { return {p.x, p.y, p.z}; }
 Eigen::Vector3d vector_of(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
 
-void check_path(const trident_msgs::TimedPath& path) {
-  const std::string where = "path of '" + path.robot + "': ";
+void check_sizes(const trident_msgs::TimedPath& path, const std::string& where) {
+  const std::string times = std::to_string(path.times.size());
   if (path.times.size() < 2 || path.poses.size() != path.times.size())
-    throw Error(where + std::to_string(path.times.size()) + " times and " +
-                std::to_string(path.poses.size()) + " poses; legal are as many of both, 2 or more");
+    throw Error(where + times + " times and " + std::to_string(path.poses.size()) +
+                " poses; legal are as many of both, 2 or more");
   if (!path.twists.empty() && path.twists.size() != path.times.size())
-    throw Error(where + std::to_string(path.twists.size()) + " twists; legal are 0 or " +
-                std::to_string(path.times.size()));
-  for (std::size_t i = 0; i < path.times.size(); ++i) {
-    if (!std::isfinite(path.times[i]) || (i > 0 && path.times[i] <= path.times[i - 1]))
-      throw Error(where + "times[" + std::to_string(i) + "] is " + std::to_string(path.times[i]) +
+    throw Error(where + std::to_string(path.twists.size()) + " twists; legal are 0 or " + times);
+}
+
+void check_times(const std::vector<double>& times, const std::string& where) {
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i]) || (i > 0 && times[i] <= times[i - 1]))
+      throw Error(where + "times[" + std::to_string(i) + "] is " + std::to_string(times[i]) +
                   "; legal are finite times that grow");
   }
-  if (path.times.back() > kLongest_s)
-    throw Error(where + "the last time is " + std::to_string(path.times.back()) +
+  if (times.back() > kLongest_s)
+    throw Error(where + "the last time is " + std::to_string(times.back()) +
                 "; legal is <= " + std::to_string(kLongest_s));
+}
+
+void check_path(const trident_msgs::TimedPath& path) {
+  const std::string where = "path of '" + path.robot + "': ";
+  check_sizes(path, where);
+  check_times(path.times, where);
   for (std::size_t i = 0; i < path.poses.size(); ++i) {
     const std::string problem =
         ros_utils::rotation_problem(path.poses[i].orientation, "orientation", 1.0);

@@ -10,14 +10,20 @@
 #include "trident_base/error.h"
 
 namespace trident::trajectories {
+namespace {
+
+bool is_finite(const Prediction::Knot& knot) {
+  return std::isfinite(knot.t) && knot.p.allFinite() && knot.v.allFinite();
+}
+
+}  // namespace
 
 Prediction::Prediction(std::vector<Knot> knots) : knots_(std::move(knots)) {
   if (knots_.empty()) throw Error("prediction: no knot; legal are 1 or more");
   for (std::size_t i = 0; i < knots_.size(); ++i) {
     const Knot& knot = knots_[i];
     const std::string where = "prediction: knot " + std::to_string(i) + ": ";
-    if (!std::isfinite(knot.t) || !knot.p.allFinite() || !knot.v.allFinite())
-      throw Error(where + "a value is not finite; legal are finite numbers");
+    if (!is_finite(knot)) throw Error(where + "a value is not finite; legal are finite numbers");
     if (i > 0 && knot.t <= knots_[i - 1].t)
       throw Error(where + "t is " + std::to_string(knot.t) + "; legal are times after " +
                   std::to_string(knots_[i - 1].t));

@@ -27,8 +27,12 @@ Place place(double cells, int nodes) {
   return {cell, held - cell, held == cells};
 }
 
+bool has_legal_frame(const GridDistanceMap::Grid& grid) {
+  return grid.spacing > 0.0 && std::isfinite(grid.spacing) && grid.origin.allFinite();
+}
+
 void check_grid(const GridDistanceMap::Grid& grid, std::size_t values) {
-  if (!(grid.spacing > 0.0) || !std::isfinite(grid.spacing) || !grid.origin.allFinite())
+  if (!has_legal_frame(grid))
     throw Error("distance grid: spacing is " + std::to_string(grid.spacing) +
                 "; legal are a finite origin and a spacing > 0");
   if (grid.nodes.x() < 2 || grid.nodes.y() < 2 || grid.nodes.z() < 1)
