@@ -23,7 +23,7 @@ from trident_eval.sweep.code_version import machine_facts, unlike
 from trident_eval.sweep.local_engine import LocalEngine
 
 _CONNECT_S = 30
-_CLOSE_S = 2  # wall time; whoever interrupts a sweep has it ended within 3 s
+_CLOSE_S = 2  # wall time; an interrupted sweep ends within 3 s
 _INSTALL = "pip install dask distributed"
 _POLL_S = 3600.0
 _servers: dict[tuple[str, str], LocalEngine] = {}  # of this process, where it is a worker
