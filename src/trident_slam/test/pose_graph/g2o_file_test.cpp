@@ -122,7 +122,7 @@ TEST_F(G2oFile, NamesLineFieldAndValue) {
             ":1: the length of the quaternion is '2', but must be 1");
   EXPECT_EQ(problem("VERTEX_XY 0 0 0\n").substr(0, 39), ":1: the tag is 'VERTEX_XY', but must be");
   const std::string noise("\x1b\0\xff 0\n", 6);
-  EXPECT_EQ(problem(noise).substr(0, 36), ":1: the tag is '\\x1b\\x00\\xff', but must");
+  EXPECT_EQ(problem(noise).substr(0, 39), ":1: the tag is '\\x1b\\x00\\xff', but must");
 }
 
 TEST_F(G2oFile, IndefiniteInformationBecomesTheNearestThatIsNot) {
