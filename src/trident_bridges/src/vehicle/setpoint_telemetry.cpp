@@ -87,7 +87,7 @@ std::optional<Eigen::Vector3d> destination_of_mode(const Autopilot& autopilot) {
 /// Where a vehicle goes, if it does.
 std::optional<Eigen::Vector3d> destination(const TelemetrySource& source) {
   if (!source.autopilot.is_armed()) return std::nullopt;
-  if (const auto place = destination_of_mode(source.autopilot)) return place;
+  if (auto place = destination_of_mode(source.autopilot)) return place;
   const Setpoint& setpoint = source.autopilot.setpoint();
   if (setpoint.kind == Kind::kLeg || setpoint.kind == Kind::kTrajectory) return setpoint.p_m;
   return std::nullopt;

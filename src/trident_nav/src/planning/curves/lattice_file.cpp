@@ -62,7 +62,7 @@ class LatticeField {
 std::string read_motion_model(const LatticeField& data) {
   const std::string models = "diff, ackermann or omni";
   const Json& given = data.get("motion_model", models);
-  const std::string model = given.is_string() ? given.get<std::string>() : "";
+  std::string model = given.is_string() ? given.get<std::string>() : "";
   if (model != "diff" && model != "ackermann" && model != "omni") data.fail("motion_model", models);
   return model;
 }
