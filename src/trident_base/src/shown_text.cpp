@@ -63,7 +63,7 @@ std::string escaped(const std::string& text) {
 }  // namespace
 
 std::string with_short_words(const std::string& raw) {
-  const std::string text = escaped(raw);
+  std::string text = escaped(raw);
   if (text.size() <= kLongestShownWord) return text;
   std::string shown;
   std::size_t at = 0;
